@@ -23,6 +23,7 @@ function(ductus_test ctest_name source)
     add_executable(${target} ${source})
     set_target_properties(${target} PROPERTIES AUTOMOC ON RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
     target_link_libraries(${target} PRIVATE ${ARG_LINK} Qt6::Core Qt6::Test)
+    target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/tests) # #include "support/mesh_zoo.h"
     # The folder with other people's files; tests that need it skip with a message when it is absent.
     target_compile_definitions(${target} PRIVATE DUCTUS_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
         DUCTUS_SHARED_DATA="${PROJECT_SOURCE_DIR}/../shared/data")

@@ -1,4 +1,5 @@
-// Connectivity of a TriangleMesh: its edges, who is next to whom, where it ends and where it is not a surface.
+// Connectivity of a TriangleMesh: its edges, who is next to whom, where it ends and where it is not a
+// surface.
 #pragma once
 
 #include "geometry/triangle_mesh.h"
@@ -9,24 +10,27 @@ namespace ductus {
 
 struct MeshEdge
 {
-    int v0 = -1;               // v0 < v1
+    int v0 = -1; // v0 < v1
     int v1 = -1;
-    int faces[2] = {-1, -1};   // the first two triangles found; -1 where there is none
-    int faceCount = 0;         // 1 on the border, 2 inside, more where the mesh is not a manifold
+    int faces[2] = {-1, -1}; // the first two triangles found; -1 where there is none
+    int faceCount = 0;       // 1 on the border, 2 inside, more where the mesh is not a manifold
 };
 
 struct MeshTopology
 {
-    std::vector<MeshEdge> edges;                    // sorted by (v0, v1)
-    std::vector<std::array<int, 3>> faceEdges;      // edge k of a face joins its corners k and k+1
-    std::vector<std::vector<int>> vertexEdges;      // ascending
-    std::vector<std::vector<int>> vertexFaces;      // ascending
+    std::vector<MeshEdge> edges;               // sorted by (v0, v1)
+    std::vector<std::array<int, 3>> faceEdges; // edge k of a face joins its corners k and k+1
+    std::vector<std::vector<int>> vertexEdges; // ascending
+    std::vector<std::vector<int>> vertexFaces; // ascending
 
     explicit MeshTopology(const TriangleMesh &mesh);
 
     /// -1 if the two vertices share no edge.
     int edgeBetween(int a, int b) const;
-    int neighbour(int vertex, int edge) const { return edges[edge].v0 == vertex ? edges[edge].v1 : edges[edge].v0; }
+    int neighbour(int vertex, int edge) const
+    {
+        return edges[edge].v0 == vertex ? edges[edge].v1 : edges[edge].v0;
+    }
     /// The triangle across \a edge from \a face, or -1.
     int across(int edge, int face) const
     {
@@ -39,13 +43,16 @@ struct MeshTopology
 struct ManifoldReport
 {
     int borderEdges = 0;
-    int nonManifoldEdges = 0;     // more than two triangles
-    int inconsistentEdges = 0;    // both triangles run it in the same direction
-    int nonManifoldVertices = 0;  // the triangles around do not form one fan
-    int degenerateTriangles = 0;  // repeated corner, or no area
+    int nonManifoldEdges = 0;    // more than two triangles
+    int inconsistentEdges = 0;   // both triangles run it in the same direction
+    int nonManifoldVertices = 0; // the triangles around do not form one fan
+    int degenerateTriangles = 0; // repeated corner, or no area
     int components = 0;
 
-    bool isManifold() const { return nonManifoldEdges == 0 && nonManifoldVertices == 0 && inconsistentEdges == 0; }
+    bool isManifold() const
+    {
+        return nonManifoldEdges == 0 && nonManifoldVertices == 0 && inconsistentEdges == 0;
+    }
     bool isClosed() const { return isManifold() && borderEdges == 0; }
 };
 

@@ -16,20 +16,21 @@ struct RemeshOptions
 
 /// A mesh with nearly equal edges that follows \a mesh, which must be manifold; borders are kept.
 /// Deterministic. [Botsch, Kobbelt 2004]
-Result<TriangleMesh> remeshed(const TriangleMesh &mesh, const RemeshOptions &options, const JobControl &control);
+Result<TriangleMesh> remeshed(const TriangleMesh &mesh, const RemeshOptions &options,
+                              const JobControl &control);
 
 struct RepairReport
 {
     int mergedVertices = 0;
-    int removedTriangles = 0;        // degenerate, duplicate, or in the way of a manifold
-    int splitVertices = 0;           // non-manifold vertices duplicated
+    int removedTriangles = 0; // degenerate, duplicate, or in the way of a manifold
+    int splitVertices = 0;    // non-manifold vertices duplicated
     int reorientedTriangles = 0;
-    bool selfIntersecting = false;   // what remains; told, not mended
+    bool selfIntersecting = false; // what remains; told, not mended
 };
 
-/// A manifold, consistently oriented version of \a mesh (closed components outwards): merges equal vertices, drops
-/// degenerate and duplicate triangles, splits non-manifold edges and vertices. Refuses with NoSolution and the
-/// reason when too little is left (less than half of the area), TooLittleData when nothing is.
+/// A manifold, consistently oriented version of \a mesh (closed components outwards): merges equal vertices,
+/// drops degenerate and duplicate triangles, splits non-manifold edges and vertices. Refuses with NoSolution
+/// and the reason when too little is left (less than half of the area), TooLittleData when nothing is.
 Result<TriangleMesh> repaired(const TriangleMesh &mesh, RepairReport *report = nullptr);
 
 } // namespace ductus
