@@ -25,9 +25,10 @@ struct LabelingEdge
 struct LabelingProblem
 {
     int vertexCount = 0;
-    std::vector<std::span<const double>> dataCosts; // one column a label, vertexCount long: dataCosts[a][v] = D_v(a)
-    std::vector<LabelingEdge> edges;                // each pair at most once, no loops
-    std::vector<double> labelCosts;                 // h_a, one a label
+    std::vector<std::span<const double>>
+        dataCosts;                   // one column a label, vertexCount long: dataCosts[a][v] = D_v(a)
+    std::vector<LabelingEdge> edges; // each pair at most once, no loops
+    std::vector<double> labelCosts;  // h_a, one a label
 
     int labelCount() const { return int(dataCosts.size()); }
 };
@@ -48,8 +49,8 @@ struct Labeling
 /// The energy of \a labels, by definition.
 double labelingEnergy(const LabelingProblem &problem, const std::vector<int> &labels);
 
-/// A local minimum no single expansion can improve. Starts from \a initial, or where that is empty from the single
-/// best label. Deterministic. Fails with Cancelled, or InvalidArgument for a malformed problem.
+/// A local minimum no single expansion can improve. Starts from \a initial, or where that is empty from the
+/// single best label. Deterministic. Fails with Cancelled, or InvalidArgument for a malformed problem.
 Result<Labeling> alphaExpansion(const LabelingProblem &problem, const AlphaExpansionOptions &options,
                                 const std::vector<int> &initial, const JobControl &control);
 
