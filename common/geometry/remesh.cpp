@@ -144,7 +144,7 @@ void Remesher::collapseShortEdges()
                 shortEdges.push_back({mMesh.squaredLength(h), h});
         std::sort(shortEdges.begin(), shortEdges.end());
         for (const auto &[length, h] : shortEdges) {
-            // Each inner edge comes twice, once for either direction; a border edge must be turned by hand.
+            // Inner edges come twice, once for either end that may go; border edges once.
             if (!mMesh.halfEdgeIsAlive(h) || !(mMesh.squaredLength(h) < limit))
                 continue;
             if (mMesh.canCollapse(h) && collapseKeepsShape(h)) {
