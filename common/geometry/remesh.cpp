@@ -7,6 +7,7 @@
 #include "geometry/editable_mesh.h"
 #include "geometry/mesh_topology.h"
 #include "geometry/nearest.h"
+#include "geometry/triangle_point.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,6 +21,8 @@ constexpr const char *attempted = "Remeshing";
 constexpr double maxTriangles = 2e7;
 constexpr double minTurnCosine = 0.5; // how far a step may turn a triangle
 constexpr double minQuality = 0.1;    // of triangles a step makes, unless they were worse before
+constexpr double pointTolerance =
+    0.1; // of the target length: how far a step may take the surface off a vertex
 constexpr double curveTolerance =
     0.02; // of the target length: how far a collapse may move a border or crease
 
@@ -115,6 +118,7 @@ bool Remesher::collapseKeepsShape(int h)
             return false;
     }
 
+    double off = 1e300; // distance of the removed vertex from the triangles that close the gap
     mMesh.outgoing(removed, mRing);
     for (int out : mRing) {
         const int b = mMesh.to(out);
@@ -127,8 +131,10 @@ bool Remesher::collapseKeepsShape(int h)
         const double oldQuality = quality(mMesh.position(removed), mMesh.position(b), mMesh.position(c));
         if (!keepsShape(mMesh.areaVector(out), oldQuality, goal, mMesh.position(b), mMesh.position(c)))
             return false;
+        off = std::min(
+            off, distanceToTriangle(mMesh.position(removed), goal, mMesh.position(b), mMesh.position(c)));
     }
-    return true;
+    return off <= pointTolerance * mTarget;
 }
 
 void Remesher::collapseShortEdges()
@@ -182,8 +188,12 @@ bool Remesher::flipKeepsShape(int h) const
     const double old = std::min(quality(a, b, c), quality(b, a, d));
     const Vec3 areaH = mMesh.areaVector(h);
     const Vec3 areaG = mMesh.areaVector(g);
-    return keepsShape(areaH, old, d, c, a) && keepsShape(areaG, old, d, c, a) &&
-           keepsShape(areaH, old, c, d, b) && keepsShape(areaG, old, c, d, b);
+    if (!keepsShape(areaH, old, d, c, a) || !keepsShape(areaG, old, d, c, a) ||
+        !keepsShape(areaH, old, c, d, b) || !keepsShape(areaG, old, c, d, b))
+        return false;
+    const Vec3 middle = 0.5 * (a + b);
+    return std::min(distanceToTriangle(middle, d, c, a), distanceToTriangle(middle, c, d, b)) <=
+           pointTolerance * mTarget;
 }
 
 void Remesher::flipForValence()
@@ -223,14 +233,16 @@ bool Remesher::smoothed(int v, std::vector<int> &ring, Vec3 &target) const
 
 bool Remesher::moveKeepsShape(int v, const Vec3 &target)
 {
+    double off = 1e300; // distance of the old place from the new triangles
     mMesh.outgoing(v, mRing);
     for (int h : mRing) {
         const Vec3 &b = mMesh.position(mMesh.to(h));
         const Vec3 &c = mMesh.position(mMesh.apex(h));
         if (!keepsShape(mMesh.areaVector(h), quality(mMesh.position(v), b, c), target, b, c))
             return false;
+        off = std::min(off, distanceToTriangle(mMesh.position(v), target, b, c));
     }
-    return true;
+    return off <= pointTolerance * mTarget;
 }
 
 void Remesher::smooth()
