@@ -115,11 +115,11 @@ void Cutter::pairCrowd(const std::vector<int> &crowd)
     for (int h : crowd)
         mFromCrowd[h] = 1;
     if (alternating) {
-        // Solids that touch: a triangle that runs up has its outside clockwise of it, so its solid reaches
-        // counter-clockwise to the next triangle.
+        // Solids that touch: the outside of a triangle that runs up is counter-clockwise of it, so its solid
+        // reaches clockwise to the triangle before.
         for (int i = 0; i < n; ++i)
             if (isUp(i))
-                join(around[i].second, around[(i + 1) % n].second);
+                join(around[i].second, around[(i + n - 1) % n].second);
         return;
     }
 

@@ -23,6 +23,7 @@ struct MeshTopology
     std::vector<std::vector<int>> vertexEdges; // ascending
     std::vector<std::vector<int>> vertexFaces; // ascending
 
+    /// Indices must be valid. A triangle with a repeated corner takes no part: its faceEdges are -1.
     explicit MeshTopology(const TriangleMesh &mesh);
 
     /// -1 if the two vertices share no edge.
@@ -31,7 +32,8 @@ struct MeshTopology
     {
         return edges[edge].v0 == vertex ? edges[edge].v1 : edges[edge].v0;
     }
-    /// The triangle across \a edge from \a face, or -1.
+    /// The triangle across \a edge from \a face, or -1. Means nothing where the edge has more than two
+    /// triangles.
     int across(int edge, int face) const
     {
         return edges[edge].faces[0] == face ? edges[edge].faces[1] : edges[edge].faces[0];
