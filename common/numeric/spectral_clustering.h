@@ -1,5 +1,6 @@
-// Spectral clustering of a weighted graph [Shi, Malik 2000]: k-means on the lowest eigenvectors of the normalised
-// Laplacian. One eigensolve serves all cluster counts (thesis Sec. III.5.3 asks for 20, 30, 40 and 50).
+// Spectral clustering of a weighted graph [Shi, Malik 2000]: k-means on the lowest eigenvectors of the
+// normalised Laplacian. One eigensolve serves all cluster counts (thesis Sec. III.5.3 asks for 20, 30, 40 and
+// 50).
 #pragma once
 
 #include "base/job_control.h"
@@ -12,8 +13,8 @@
 
 namespace ductus {
 
-/// The \a count eigenvectors of the normalised Laplacian with the smallest eigenvalues, one row a vertex, ascending.
-/// The graph may have several components. Deterministic (fixed start vectors, signs normalised).
+/// The \a count eigenvectors of the normalised Laplacian with the smallest eigenvalues, one row a vertex,
+/// ascending. The graph may have several components. Deterministic (fixed start vectors, signs normalised).
 Result<Eigen::MatrixXd> spectralEmbedding(int vertexCount, const std::vector<LabelingEdge> &edges, int count,
                                           const JobControl &control);
 
