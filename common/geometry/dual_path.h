@@ -14,6 +14,7 @@ public:
 
     /// Edges crossed on the way from triangle \a from to \a to, in order; empty if they are the same, or if
     /// no path shorter than \a maxLength exists (then \a found, if given, is false).
+    /// Only edges with exactly two triangles are crossed; length is measured from centroid to centroid.
     std::vector<int> crossedEdges(int from, int to, double maxLength, bool *found = nullptr);
 
 private:
