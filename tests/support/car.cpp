@@ -15,7 +15,8 @@ constexpr double scale = 0.2; // a car of 4.3 m becomes one of 0.86 m
 // Cells along the feature lines; opposite borders of a panel have the same sum.
 constexpr int acrossCells = 40, pillarCells = 20, cornerCells = 20;
 constexpr int fenderCells = 34, beltCells = 68, rearCells = 18;
-constexpr int lipCells = 11, archCells = 24, sillCells = 50;
+constexpr int lipCells = 10, archCells = 28,
+              sillCells = 44; // arches narrower than the columns above: no folds
 
 /// Everything drawn in the side view (z = 0) or on the right half (z > 0), and how a line crosses to the
 /// left.
@@ -103,7 +104,7 @@ private:
 
     void buildSill()
     {
-        const double y = 0.22, centreY = 0.27,
+        const double y = 0.22, centreY = mShape.cutArches ? y : 0.27,
                      reach = std::sqrt(archRadius * archRadius - (y - centreY) * (y - centreY));
         wheels = {side(1.3, centreY), side(-1.3, centreY)};
         const auto arch = [&](const Vec3 &centre) {

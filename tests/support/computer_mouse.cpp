@@ -23,9 +23,20 @@ Vec3 outlinePoint(double turn, double share)
     return Vec3(share * x, 0.0, share * waist * z);
 }
 
+/// z of the outline at \a x, found by halving: x falls from the front (turn 0) to the back (turn 0.5).
+double outlineWidth(double x)
+{
+    double front = 0.0, back = 0.5;
+    for (int i = 0; i < 60; ++i) {
+        const double middle = 0.5 * (front + back);
+        (outlinePoint(middle, 1.0).x() > x ? front : back) = middle;
+    }
+    return outlinePoint(front, 1.0).z();
+}
+
 double domeHeight(double x, double z)
 {
-    return 0.37 - 0.12 * x - 0.38 * x * x - 0.35 * x * x * x * x - 1.25 * z * z - 1.0 * z * z * z * z;
+    return 0.30 - 0.12 * x - 0.38 * x * x - 0.35 * x * x * x * x - 1.25 * z * z - 1.0 * z * z * z * z;
 }
 
 Vec3 onDome(const Vec3 &p)
@@ -42,13 +53,13 @@ Solid computerMouse(double length)
     const GridPatch dome =
         sampledGrid(around, 36, [&](double u, double v) { return onDome(outlinePoint(turnOf(u), 1.0 - v)); });
     const GridPatch wall = sampledGrid(around, 14, [&](double u, double v) -> Vec3 {
-        const Vec3 foot = outlinePoint(turnOf(u), 0.9), belt = onDome(outlinePoint(turnOf(u), 1.0));
+        const Vec3 foot = outlinePoint(turnOf(u), 0.93), belt = onDome(outlinePoint(turnOf(u), 1.0));
         const double bulge = 0.06 * v * (1.0 - v);
         const Vec3 outwards = outlinePoint(turnOf(u), 1.0);
         return (1.0 - v) * foot + v * belt + bulge * outwards;
     });
-    const GridPatch bottom =
-        sampledGrid(around, 24, [&](double u, double v) { return outlinePoint(turnOf(u), 0.9 * (1.0 - v)); });
+    const GridPatch bottom = sampledGrid(
+        around, 24, [&](double u, double v) { return outlinePoint(turnOf(u), 0.93 * (1.0 - v)); });
     builder.addFaceGrid("dome", dome);
     builder.addFaceGrid("wall", wall);
     builder.addFaceGrid("underside", bottom);
@@ -57,9 +68,11 @@ Solid computerMouse(double length)
     for (int k = 0; k < 8; ++k)
         builder.addCurve("wall rib", CurveKind::Flow, wall.column(k * around / 8));
     builder.addCurve("spine", CurveKind::Flow, joined(dome.column(0), reversed(dome.column(around / 2))));
-    for (const int k : {20, 32, 46})
+    for (const double x : {-0.38, -0.2, 0.28}) {
+        const double z = outlineWidth(x);
         builder.addCurve("across", CurveKind::Flow,
-                         joined(dome.column(k), reversed(dome.column(around - k))));
+                         mapped(linePoints(Vec3(x, 0, z), Vec3(x, 0, -z), 48), onDome));
+    }
     // The two keys: gaps beside the wheel, and a line across behind them.
     const auto domeLine = [](const std::vector<Vec3> &knots) {
         return mapped(splinePoints(knots, 40), onDome);

@@ -78,6 +78,16 @@ std::vector<Segment> segmentsOf(const std::vector<std::vector<Vec3>> &polylines)
     return segments;
 }
 
+std::vector<Segment> creaseEdges(const TriangleMesh &mesh, double angleDegrees)
+{
+    const MeshTopology topology(mesh);
+    std::vector<Segment> edges;
+    for (std::size_t e = 0; e < topology.edges.size(); ++e)
+        if (dihedralDegrees(mesh, topology, int(e)) > angleDegrees)
+            edges.push_back({mesh.vertices[topology.edges[e].v0], mesh.vertices[topology.edges[e].v1]});
+    return edges;
+}
+
 } // namespace
 
 DeviationStatistics deviationStatistics(std::vector<double> distances, double diagonal)
@@ -160,17 +170,13 @@ Result<CreaseScore> creaseScore(const TriangleMesh &result, const GroundTruth &t
     if (!(diagonal > 0.0))
         return Error{ErrorCode::TooLittleData, attempted, "the truth has no extent", "", ""};
     const double tolerance = options.creaseTolerance * diagonal, step = 0.0025 * diagonal;
-    const MeshTopology topology(result);
-    std::vector<Segment> edges;
+    const std::vector<Segment> edges = creaseEdges(result, options.creaseAngleDegrees);
+    const std::vector<Segment> trueEdges = creaseEdges(truth.mesh, options.creaseAngleDegrees);
     CreaseScore score;
-    for (std::size_t e = 0; e < topology.edges.size(); ++e) {
-        if (dihedralDegrees(result, topology, int(e)) <= options.creaseAngleDegrees)
-            continue;
-        edges.push_back({result.vertices[topology.edges[e].v0], result.vertices[topology.edges[e].v1]});
-        score.resultLength += (edges.back().b - edges.back().a).norm();
-    }
+    for (const Segment &edge : edges)
+        score.resultLength += (edge.b - edge.a).norm();
     score.recall = shareNear(segmentsOf(truth.drawnCreases), SegmentIndex(edges, tolerance), step, tolerance);
-    score.precision = shareNear(edges, SegmentIndex(segmentsOf(truth.creases), tolerance), step, tolerance);
+    score.precision = shareNear(edges, SegmentIndex(trueEdges, tolerance), step, tolerance);
     return score;
 }
 

@@ -57,14 +57,16 @@ Result<DeviationStatistics> strokeDeviation(const StrokeSet &strokes, const Tria
 
 struct CreaseScore
 {
-    double recall =
-        1.0; // share of the length of \a creases within the tolerance of a crease edge of the result
-    double precision =
-        1.0; // share of the length of the result's crease edges within the tolerance of \a creases
+    /// Share of the length of truth.drawnCreases (creases above Solid::sharpDegrees that a stroke shows)
+    /// within the tolerance of a crease edge of the result.
+    double recall = 1.0;
+    /// Share of the length of the result's crease edges within the tolerance of a crease edge of the true
+    /// mesh.
+    double precision = 1.0;
     double resultLength = 0.0; // of all crease edges, in mesh units
 };
 
-/// Give truth.drawnCreases for recall; precision against truth.creases is more just, so both are asked for.
+/// Both shares are 1 where there is nothing to find. Errors as above.
 Result<CreaseScore> creaseScore(const TriangleMesh &result, const GroundTruth &truth,
                                 const EvaluationOptions &options = {});
 

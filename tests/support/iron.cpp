@@ -13,10 +13,10 @@ namespace {
 double halfWidth(const Vec3 &p)
 {
     const double along = (p.x() - 0.12) / 0.39, up = 1.0 - p.y() / 0.34;
-    return 0.105 * (1.0 - along * along) * (0.26 + 0.74 * up * up);
+    return 0.14 * (1.0 - along * along) * (0.22 + 0.78 * up * up);
 }
 
-/// Share \a k of \a steps around the hole, starting below its front and going up.
+/// The hole in the handle, \a turn 0..1, starting below its front and going up.
 Vec3 holePoint(double turn)
 {
     const double a = 2.0 * std::numbers::pi * (turn - 0.125);
@@ -83,6 +83,8 @@ Solid iron(double length)
     builder.addCurve("cover ridge", CurveKind::Flow, cover.row(widthCells / 2));
     for (const int k : {20, 40, 60, 80})
         builder.addCurve("cover section", CurveKind::Flow, cover.column(k));
+    builder.addCurve("tip edge", CurveKind::Border, band(front).column(0));
+    builder.addCurve("nose top edge", CurveKind::Border, cover.column(0));
     builder.addCurve("heel edge", CurveKind::Border, cover.column(overCells));
     builder.addCurve("handle inside section", CurveKind::Flow, band(hole).column(cells / 4));
     builder.addCurve("handle inside section", CurveKind::Flow, band(hole).column(3 * cells / 4));

@@ -67,7 +67,7 @@ struct CarShape
 
 Solid bevelledBox(double width = 0.5, double height = 0.3, double depth = 0.36, double bevel = 0.06);
 Solid can(double radius = 0.17, double height = 0.46);
-Solid bottle(double bodyRadius = 0.15, double height = 0.55);
+Solid bottle(double bodyRadius = 0.115, double height = 0.55);
 Solid tableLamp(double height = 0.62);
 Solid torus(double majorRadius = 0.24, double minorRadius = 0.09);
 Solid ellipsoid(const Vec3 &radii = Vec3(0.32, 0.2, 0.24));
