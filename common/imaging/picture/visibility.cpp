@@ -12,12 +12,30 @@ double cross(const Eigen::Vector2d &u, const Eigen::Vector2d &v)
     return u.x() * v.y() - u.y() * v.x();
 }
 
-// Whether a sample exactly on the edge from p to q belongs to the triangle left of it: of two triangles that
-// share the edge exactly one says yes, so that no sample is lost or drawn by chance.
-bool ownsEdge(const Eigen::Vector2d &p, const Eigen::Vector2d &q)
+// On which side of the line from p to q a sample lies. Whichever way round two triangles run their common
+// edge, they compute the same number with opposite signs, and a sample exactly on it belongs to one of them:
+// none is lost between them, none is drawn twice.
+class EdgeFunction
 {
-    return p.y() != q.y() ? p.y() < q.y() : p.x() < q.x();
-}
+public:
+    EdgeFunction(const Eigen::Vector2d &p, const Eigen::Vector2d &q)
+        : mForward(p.y() != q.y() ? p.y() < q.y() : p.x() < q.x()), mStart(mForward ? p : q),
+          mDirection(mForward ? Eigen::Vector2d(q - p) : Eigen::Vector2d(p - q))
+    {
+    }
+
+    double operator()(const Eigen::Vector2d &s) const
+    {
+        const double value = cross(mDirection, s - mStart);
+        return mForward ? value : -value;
+    }
+
+    bool isInside(double value) const { return mForward ? value >= 0.0 : value > 0.0; }
+
+private:
+    bool mForward;
+    Eigen::Vector2d mStart, mDirection;
+};
 
 struct TileRange
 {
@@ -186,7 +204,7 @@ void Visibility::traceTriangle(int triangle, int left, int top, std::vector<Samp
     const double zq = screen.inverseDepth[flipped ? 2 : 1];
     const double zr = screen.inverseDepth[flipped ? 1 : 2];
     const double area = std::abs(screen.area);
-    const bool ownP = ownsEdge(q, r), ownQ = ownsEdge(r, p), ownR = ownsEdge(p, q);
+    const EdgeFunction edgeP(q, r), edgeQ(r, p), edgeR(p, q);
 
     // Samples sit at the middle of their cells.
     const Eigen::Vector2d low = p.cwiseMin(q).cwiseMin(r), high = p.cwiseMax(q).cwiseMax(r);
@@ -197,11 +215,8 @@ void Visibility::traceTriangle(int triangle, int left, int top, std::vector<Samp
     for (int y = y0; y <= y1; ++y) {
         for (int x = x0; x <= x1; ++x) {
             const Eigen::Vector2d s(left + x + 0.5, top + y + 0.5);
-            const double wp = cross(r - q, s - q);
-            const double wq = cross(p - r, s - r);
-            const double wr = cross(q - p, s - p);
-            if ((wp < 0.0 || (wp == 0.0 && !ownP)) || (wq < 0.0 || (wq == 0.0 && !ownQ)) ||
-                (wr < 0.0 || (wr == 0.0 && !ownR)))
+            const double wp = edgeP(s), wq = edgeQ(s), wr = edgeR(s);
+            if (!edgeP.isInside(wp) || !edgeQ.isInside(wq) || !edgeR.isInside(wr))
                 continue;
             const auto depth = float(area / (wp * zp + wq * zq + wr * zr)); // 1/z is linear on the screen
             Sample &sample = samples[std::size_t(y) * std::size_t(side) + std::size_t(x)];
