@@ -1,18 +1,17 @@
-# Reading resources/samples/samples.json: an array of samples, or an object with the array under "samples".
+# Reading resources/samples/samples.json: an object with the array "samples".
 
 # read_samples(FILE): sets samples (a JSON array) and last_sample (its last index) for the caller.
 function(read_samples file)
     file(READ ${file} json)
-    string(JSON kind ERROR_VARIABLE error TYPE "${json}" samples)
-    if(kind STREQUAL "ARRAY")
-        string(JSON json GET "${json}" samples)
+    string(JSON list ERROR_VARIABLE error GET "${json}" samples)
+    if(NOT error)
+        string(JSON count ERROR_VARIABLE error LENGTH "${list}")
     endif()
-    string(JSON count ERROR_VARIABLE error LENGTH "${json}")
     if(error OR count EQUAL 0)
         message(FATAL_ERROR "${file}: no samples (${error})")
     endif()
     math(EXPR last "${count} - 1")
-    set(samples "${json}" PARENT_SCOPE)
+    set(samples "${list}" PARENT_SCOPE)
     set(last_sample ${last} PARENT_SCOPE)
 endfunction()
 
