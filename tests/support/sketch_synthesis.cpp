@@ -10,6 +10,8 @@ namespace ductus {
 
 namespace {
 
+constexpr double reachOfAnArm = 1.5; // diagonals; nobody of CASSIE's drew a longer stroke than 1.6
+
 struct Interval
 {
     double begin = 0.0;
@@ -78,6 +80,10 @@ public:
             mRandom = Random(mOptions.seed).fork(c);
             mCovered.emplace_back(mSolid.curves[c].points.size(), 0);
             drawCurve(int(c));
+            // The two ends of a closed curve are one point.
+            std::vector<char> &covered = mCovered.back();
+            if (mSolid.curves[c].isClosed())
+                covered.front() = covered.back() = covered.front() || covered.back();
         }
         mSketch.truth.mesh = mSolid.mesh;
         mSketch.truth.triangleFaces = mSolid.triangleFaces;
@@ -166,7 +172,11 @@ private:
         std::vector<Interval> result;
         for (const Interval &interval : intervals) {
             const double chance = mRandom.uniform(), where = mRandom.uniform(0.35, 0.65);
-            if (chance >= mOptions.splitProbability || interval.length() < mOptions.splitLength * mDiagonal) {
+            const bool tooLong =
+                mOptions.splitProbability > 0.0 && interval.length() > reachOfAnArm * mDiagonal;
+            const bool isSplit =
+                chance < mOptions.splitProbability && interval.length() >= mOptions.splitLength * mDiagonal;
+            if (!tooLong && !isSplit) {
                 result.push_back(interval);
                 continue;
             }

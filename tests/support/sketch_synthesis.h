@@ -23,7 +23,8 @@ struct SketchSynthesisOptions
     double gapLength = 0.03;          // this long (half to one and a half of it)
     double overdrawProbability = 0.1; // a second, sometimes a third stroke for the same line,
     double overdrawOffset = 0.006;    // this far beside it
-    double splitProbability = 0.3; // a line longer than splitLength drawn as two strokes, both halves again
+    double splitProbability = 0.3; // a line longer than splitLength drawn as two strokes, both halves again;
+                                   // above 0, lines longer than 1.5 diagonals always are
     double splitLength = 0.35;
     double missingShare = 0.0;   // curves nobody drew, whatever their kind
     double flowShare = 1.0;      // of smooth characteristic curves and of smooth borders drawn

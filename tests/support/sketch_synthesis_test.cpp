@@ -1,5 +1,6 @@
-// moc 6.4 cannot read <concepts> (by way of <compare>) unless the library's configuration came before.
-#include <cstdint>
+// First: moc 6.4 fails in <concepts> where <compare> (of base/typed_id.h) is the first standard header it
+// meets.
+#include "support/solids.h"
 
 #include "support/sketch_synthesis.h"
 
