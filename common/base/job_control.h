@@ -34,6 +34,9 @@ public:
     /// A control for a step that covers \a begin .. \a end of this one.
     JobControl part(double begin, double end) const;
 
+    /// The same cancel flag, but progress goes nowhere: for all but one of several parallel runs.
+    JobControl silenced() const { return JobControl(mCancelFlag, {}); }
+
 private:
     const std::atomic<bool> *mCancelFlag = nullptr;
     ProgressFunction mOnProgress;

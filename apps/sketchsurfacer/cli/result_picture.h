@@ -1,0 +1,11 @@
+// The picture of the surface command: the sketch beside its surface, regions coloured, creases dark.
+#pragma once
+
+#include "imaging/image.h"
+#include "surfacing/pipeline/surface_pipeline.h"
+
+namespace ductus {
+
+Image resultPicture(const StrokeSet &strokes, const SurfaceResult &result);
+
+} // namespace ductus

@@ -1,0 +1,184 @@
+#include "sketchsurfacer/cli/surface_arguments.h"
+
+#include "formats/mesh_file.h"
+
+#include <QCommandLineParser>
+#include <cmath>
+
+namespace ductus {
+
+namespace {
+
+std::filesystem::path pathOf(const QString &text)
+{
+    return std::filesystem::path(text.toStdU16String());
+}
+
+std::optional<std::vector<int>> strokeList(const QString &text)
+{
+    std::vector<int> ids;
+    for (const QString &item : text.split(QLatin1Char(','), Qt::SkipEmptyParts)) {
+        // "3" or a range "3-7"
+        const QStringList ends = item.trimmed().split(QLatin1Char('-'));
+        bool okFirst = false, okLast = false;
+        const int first = ends.first().toInt(&okFirst), last = ends.last().toInt(&okLast);
+        if (!okFirst || !okLast || ends.size() > 2 || first < 0 || last < first || last > 100'000'000)
+            return std::nullopt;
+        for (int id = first; id <= last; ++id)
+            ids.push_back(id);
+    }
+    return ids;
+}
+
+// "x", "y", "z" or "nx,ny,nz,d" for the plane n . x = d.
+std::optional<SymmetryPlane> planeOf(const QString &text)
+{
+    const QString axes = QStringLiteral("xyz");
+    if (text.size() == 1 && axes.contains(text.toLower()))
+        return SymmetryPlane{Vec3::Unit(axes.indexOf(text.toLower())), 0.0};
+    const QStringList parts = text.split(QLatin1Char(','));
+    if (parts.size() != 4)
+        return std::nullopt;
+    double n[4];
+    for (int i = 0; i < 4; ++i) {
+        bool ok = false;
+        n[i] = parts[i].toDouble(&ok);
+        if (!ok || !std::isfinite(n[i]))
+            return std::nullopt;
+    }
+    const Vec3 normal(n[0], n[1], n[2]);
+    const double length = normal.norm();
+    if (!(length > 1e-12))
+        return std::nullopt;
+    return SymmetryPlane{normal / length, n[3] / length};
+}
+
+class Parser
+{
+public:
+    Parser()
+    {
+        mParser.setApplicationDescription(QStringLiteral(
+            "Surfaces a 3D sketch: reads strokes, makes or takes a proxy, finds the smooth patches the strokes "
+            "describe, and writes one manifold mesh.\n\n"
+            "IN: .curves, OBJ with lines, CURVE text, x y z text. OUT: .obj, .ply, .stl, .off, .glb.\n"
+            "Exit codes: 0 done, 1 failed with the reason on stderr, 2 wrong usage, 3 cancelled (Ctrl-C)."));
+        mParser.addPositionalArgument(QStringLiteral("IN"), QStringLiteral("The sketch."));
+        mParser.addOptions({mHelp, mOutput, mProxy, mSymmetry, mEpsilon, mSimplicity, mSmoothness, mRuns, mSeed,
+                            mVertices, mTightness, mBoundary, mIgnore, mReport, mPicture, mQuiet});
+    }
+
+    ParsedSurfaceArguments parse(const QStringList &arguments)
+    {
+        if (!mParser.parse(QStringList(QStringLiteral("sketchsurfacer surface")) + arguments))
+            return wrong(mParser.errorText());
+        if (mParser.isSet(mHelp))
+            return {std::nullopt, mParser.helpText(), true};
+        if (mParser.positionalArguments().size() != 1)
+            return wrong(QStringLiteral("exactly one sketch is expected, %1 were given")
+                             .arg(mParser.positionalArguments().size()));
+        if (!mParser.isSet(mOutput))
+            return wrong(QStringLiteral("-o OUT is missing"));
+
+        SurfaceArguments a;
+        a.input = pathOf(mParser.positionalArguments().first());
+        a.output = pathOf(mParser.value(mOutput));
+        a.proxy = pathOf(mParser.value(mProxy));
+        a.report = pathOf(mParser.value(mReport));
+        a.picture = pathOf(mParser.value(mPicture));
+        a.quiet = mParser.isSet(mQuiet);
+        if (!isMeshExtension(a.output))
+            return wrong(QStringLiteral("OUT must end in .obj, .ply, .stl, .off or .glb"));
+
+        const QString symmetry = mParser.value(mSymmetry);
+        if (symmetry == QLatin1String("auto")) {
+            a.options.symmetry = SymmetryMode::Auto;
+        } else if (symmetry != QLatin1String("none")) {
+            const std::optional<SymmetryPlane> plane = planeOf(symmetry);
+            if (!plane)
+                return wrong(QStringLiteral("--symmetry takes auto, none, x, y, z or nx,ny,nz,d"));
+            a.options.symmetry = SymmetryMode::Given;
+            a.options.symmetryPlane = *plane;
+        }
+        for (const auto &[option, ids] : {std::pair(&mBoundary, &a.boundaryStrokes), std::pair(&mIgnore, &a.ignoredStrokes)}) {
+            const std::optional<std::vector<int>> list = strokeList(mParser.value(*option));
+            if (!list)
+                return wrong(QStringLiteral("--%1 takes stroke numbers such as 0,4,7-9").arg(option->names().last()));
+            *ids = *list;
+        }
+        QString problem;
+        SegmentationOptions &s = a.options.segmentation;
+        double runs = 1, seed = 1, vertices = a.options.proxy.targetVertices;
+        number(mEpsilon, 1e-5, 0.5, s.epsilon, problem);
+        number(mSimplicity, 0.0, 1e6, s.simplicity, problem);
+        number(mSmoothness, 0.0, 1e6, s.smoothness, problem);
+        number(mTightness, 0.0, 1.0, a.options.proxy.wrap.tightness, problem);
+        number(mRuns, 1, 1000, runs, problem);
+        number(mSeed, 0, 9007199254740992.0, seed, problem);
+        number(mVertices, 200, 500000, vertices, problem);
+        if (!problem.isEmpty())
+            return wrong(problem);
+        s.runs = int(runs);
+        s.seed = std::uint64_t(seed);
+        a.options.proxy.targetVertices = int(vertices);
+        return {std::move(a), {}, false};
+    }
+
+private:
+    ParsedSurfaceArguments wrong(const QString &problem) const
+    {
+        return {std::nullopt,
+                QStringLiteral("sketchsurfacer surface: %1. See: sketchsurfacer surface --help\n").arg(problem), false};
+    }
+
+    void number(const QCommandLineOption &option, double low, double high, double &value, QString &problem) const
+    {
+        if (!mParser.isSet(option))
+            return;
+        bool ok = false;
+        const double given = mParser.value(option).toDouble(&ok);
+        if (ok && given >= low && given <= high)
+            value = given;
+        else
+            problem = QStringLiteral("--%1 takes a number from %2 to %3").arg(option.names().last()).arg(low).arg(high);
+    }
+
+    static QCommandLineOption option(const char *name, const char *description, const char *value = "",
+                                     const char *defaultValue = "")
+    {
+        return QCommandLineOption(QString::fromLatin1(name).split(QLatin1Char('/')), QString::fromUtf8(description),
+                                  QString::fromLatin1(value), QString::fromLatin1(defaultValue));
+    }
+
+    QCommandLineParser mParser;
+    QCommandLineOption mHelp = option("h/help", "Shows this help.");
+    QCommandLineOption mOutput = option("o/output", "The mesh to write.", "OUT");
+    QCommandLineOption mProxy = option("proxy", "A rough mesh of the shape to read the strokes on; made automatically "
+                                                "without it.", "MESH");
+    QCommandLineOption mSymmetry = option("symmetry", "Mirror plane: auto, none, x, y, z or nx,ny,nz,d. Half of the "
+                                                      "sketch is solved and mirrored.", "PLANE", "none");
+    QCommandLineOption mEpsilon = option("epsilon", "How loosely strokes are followed, share of the sketch's box "
+                                                    "diagonal.", "E", "0.01");
+    QCommandLineOption mSimplicity = option("simplicity", "Larger: fewer and simpler patches.", "W", "0.01");
+    QCommandLineOption mSmoothness = option("smoothness", "Larger: patch borders keep closer to strokes.", "W", "10");
+    QCommandLineOption mRuns = option("runs", "Runs of which the best is kept.", "N", "1");
+    QCommandLineOption mSeed = option("seed", "Same seed, same bytes.", "S", "1");
+    QCommandLineOption mVertices = option("proxy-vertices", "Size of the remeshed proxy.", "V", "12000");
+    QCommandLineOption mTightness = option("tightness", "How tightly strokes are wrapped when the proxy is made, 0 to "
+                                                        "1; chosen automatically without it.", "T");
+    QCommandLineOption mBoundary = option("boundary", "Strokes along the border of an open surface, counted from 0 as "
+                                                      "in the file: 0,4,7-9.", "IDS");
+    QCommandLineOption mIgnore = option("ignore", "Strokes to leave out, counted from 0.", "IDS");
+    QCommandLineOption mReport = option("report", "Writes timings, energies, regions and deviations as JSON.", "R.json");
+    QCommandLineOption mPicture = option("picture", "Writes a picture of sketch and surface; needs no display.", "P.png");
+    QCommandLineOption mQuiet = option("q/quiet", "No progress on stderr.");
+};
+
+} // namespace
+
+ParsedSurfaceArguments parseSurfaceArguments(const QStringList &arguments)
+{
+    return Parser().parse(arguments);
+}
+
+} // namespace ductus

@@ -1,0 +1,73 @@
+#include "cli/terminal_job.h"
+
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+#include <unistd.h>
+
+namespace ductus {
+
+namespace {
+
+// Signal handlers reach nothing but globals; one terminal job runs at a time.
+std::atomic<bool> cancelRequested = false;
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+extern "C" void requestCancel(int signal)
+{
+    if (cancelRequested.exchange(true)) {
+        std::signal(signal, SIG_DFL);
+        std::raise(signal);
+    }
+}
+
+} // namespace
+
+TerminalJob::TerminalJob(bool quiet) : mQuiet(quiet), mIsTerminal(isatty(STDERR_FILENO) != 0)
+{
+    cancelRequested = false;
+    std::signal(SIGINT, requestCancel);
+    std::signal(SIGTERM, requestCancel);
+}
+
+TerminalJob::~TerminalJob()
+{
+    finishLine();
+    std::signal(SIGINT, SIG_DFL);
+    std::signal(SIGTERM, SIG_DFL);
+}
+
+JobControl TerminalJob::control()
+{
+    return JobControl(&cancelRequested, [this](double fraction, std::string_view text) { show(fraction, text); });
+}
+
+void TerminalJob::finishLine()
+{
+    const std::lock_guard lock(mMutex);
+    if (mLineIsOpen)
+        std::fputc('\n', stderr);
+    mLineIsOpen = false;
+}
+
+void TerminalJob::show(double fraction, std::string_view text)
+{
+    if (mQuiet)
+        return;
+    const std::lock_guard lock(mMutex);
+    const auto now = std::chrono::steady_clock::now();
+    const bool isNewText = text != mLastText;
+    if (mIsTerminal) {
+        if (!isNewText && now - mLastShown < std::chrono::milliseconds(80))
+            return;
+        std::fprintf(stderr, "\r\033[K%3.0f %%  %.*s", 100.0 * fraction, int(text.size()), text.data());
+        std::fflush(stderr);
+        mLineIsOpen = true;
+    } else if (isNewText) {
+        std::fprintf(stderr, "%3.0f %%  %.*s\n", 100.0 * fraction, int(text.size()), text.data());
+    }
+    mLastText = text;
+    mLastShown = now;
+}
+
+} // namespace ductus

@@ -1,0 +1,53 @@
+// Proxy: the rough manifold the strokes are read on (thesis Sec. III.6). Made automatically by a ladder, or cleaned
+// from a mesh made elsewhere; always remeshed to even triangles and attracted to the strokes.
+//
+// The ladder, first rung that stands wins:
+//   1. variational: the smooth field of variational_fit.h, contoured inside the neighbourhood of the wrap. Where the
+//      zero set ends at that neighbourhood it is either capped (little of it) or left open (sketch of a shell);
+//   2. the same with more smoothing;
+//   3. wrap: CGAL's alpha wrap of the strokes, closed and manifold by construction.
+#pragma once
+
+#include "base/job_control.h"
+#include "base/result.h"
+#include "strokes/stroke.h"
+#include "surfacing/proxy/wrap_proxy.h"
+
+#include <string>
+
+namespace ductus {
+
+struct ProxyOptions
+{
+    int targetVertices = 12000;      // of the remeshed proxy (the thesis uses about 20,000 for the whole shape)
+    int fitPoints = 600;             // well-spread subset for the dense variational fit; at most about 1000
+    std::vector<double> lambdas = {1e-7, 1e-5}; // nuggets tried in turn, unit frame
+    double cellsAlongDiagonal = 96;  // of the contouring grid
+    double domainBand = 0.04;        // how far outside the wrap the smooth surface may lie, share of the diagonal
+    double openShare = 0.12;         // of the area at the domain's end, above which the sketch is an open shell
+    bool allowVariational = true;    // off: wrap only
+    WrapOptions wrap;
+};
+
+enum class ProxyKind { Variational, Wrap, Given };
+
+struct Proxy
+{
+    TriangleMesh mesh; // manifold, even triangles, unit frame
+    ProxyKind kind = ProxyKind::Wrap;
+    bool isOpen = false;
+    double lambda = 0.0;      // of the variational rung
+    double alpha = 0.0;       // of the wrap
+    std::string remarks;      // why lower rungs were taken, in words
+};
+
+std::string_view proxyKindName(ProxyKind kind);
+
+/// \a strokes in the unit frame, all of the shape (both halves when symmetric).
+Result<Proxy> makeProxy(const StrokeSet &strokes, const ProxyOptions &options, const JobControl &control);
+
+/// \a mesh in the unit frame, repaired here; refused with the reason if it cannot be.
+Result<Proxy> proxyFromMesh(const TriangleMesh &mesh, const StrokeSet &strokes, const ProxyOptions &options,
+                            const JobControl &control);
+
+} // namespace ductus

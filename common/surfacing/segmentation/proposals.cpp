@@ -1,0 +1,92 @@
+#include "surfacing/segmentation/proposals.h"
+
+#include "base/parallel.h"
+#include "surfacing/segmentation/data_costs.h"
+
+#include <algorithm>
+#include <map>
+
+namespace ductus {
+
+namespace {
+
+struct Proposal
+{
+    std::vector<int> points;
+    int degree;
+};
+
+std::size_t hashOf(const std::vector<int> &points)
+{
+    std::size_t hash = points.size();
+    for (int i : points)
+        hash = hash * 1099511628211ull + std::size_t(i) + 0x9e3779b97f4a7c15ull;
+    return hash;
+}
+
+// Neighbouring labels with the weight of the border between them, heaviest first.
+std::vector<std::pair<int, int>> neighboursByBorderWeight(const Association &association,
+                                                          const MeshTopology &topology,
+                                                          const std::vector<int> &labels)
+{
+    std::map<std::pair<int, int>, double> weights;
+    for (std::size_t e = 0; e < topology.edges.size(); ++e) {
+        const int a = labels[std::size_t(topology.edges[e].v0)], b = labels[std::size_t(topology.edges[e].v1)];
+        if (a != b)
+            weights[{std::min(a, b), std::max(a, b)}] += association.edgeWeights[e];
+    }
+    std::vector<std::pair<std::pair<int, int>, double>> sorted(weights.begin(), weights.end());
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [](const auto &l, const auto &r) { return l.second > r.second; });
+    std::vector<std::pair<int, int>> pairs;
+    for (const auto &[pair, weight] : sorted)
+        pairs.push_back(pair);
+    return pairs;
+}
+
+} // namespace
+
+std::vector<ImplicitPolynomial> proposeModels(const Association &association, const MeshTopology &topology,
+                                              const std::vector<int> &labels,
+                                              const std::vector<ImplicitPolynomial> &models,
+                                              const SegmentationOptions &options, TriedMerges &tried)
+{
+    std::vector<Proposal> proposals;
+    std::vector<std::vector<int>> pointsOfLabel(models.size());
+    for (std::size_t a = 0; a < models.size(); ++a) {
+        std::vector<char> flags(labels.size());
+        for (std::size_t v = 0; v < labels.size(); ++v)
+            flags[v] = labels[v] == int(a);
+        pointsOfLabel[a] = pointsOf(association, flags);
+        if (models[a].degree > 1 && !pointsOfLabel[a].empty())
+            proposals.push_back({pointsOfLabel[a], models[a].degree - 1});
+    }
+
+    int merges = 0;
+    for (const auto &[a, b] : neighboursByBorderWeight(association, topology, labels)) {
+        if (merges == options.mergesPerIteration)
+            break;
+        const std::vector<int> &pa = pointsOfLabel[std::size_t(a)], &pb = pointsOfLabel[std::size_t(b)];
+        if (pa.empty() && pb.empty())
+            continue;
+        const std::pair<std::size_t, std::size_t> key = std::minmax(hashOf(pa), hashOf(pb));
+        if (!tried.insert(key).second)
+            continue;
+        std::vector<int> points;
+        std::set_union(pa.begin(), pa.end(), pb.begin(), pb.end(), std::back_inserter(points));
+        const int degree = std::max(models[std::size_t(a)].degree, models[std::size_t(b)].degree);
+        proposals.push_back({std::move(points), degree});
+        // Two planes or two quadrics can be one surface of the next degree.
+        if (degree < options.maxDegree)
+            proposals.push_back({proposals.back().points, degree + 1});
+        ++merges;
+    }
+
+    std::vector<ImplicitPolynomial> result(proposals.size());
+    parallelFor(0, proposals.size(), [&](std::size_t i) {
+        result[i] = fitPolynomial(association.points, proposals[i].points, proposals[i].degree, options.fit);
+    });
+    return result;
+}
+
+} // namespace ductus

@@ -1,0 +1,49 @@
+// Multi-model fitting: which smooth surface model explains which part of the proxy (thesis Sec. III.5.2-3,
+// Algorithm 1; PEARL [Isack, Boykov 2012] with label costs [Delong et al. 2012]).
+//
+//     E = E_fidelity (III.2) + w_smoothness E_smoothness (III.3) + w_simplicity E_simplicity (III.4)
+//
+// Several runs from differently seeded first models, in parallel; the lowest energy wins, ties go to the lower run
+// number, so the answer depends on the seed and not on the machine.
+#pragma once
+
+#include "base/job_control.h"
+#include "base/result.h"
+#include "surfacing/association/association.h"
+
+#include <cstdint>
+
+namespace ductus {
+
+struct SegmentationOptions
+{
+    double epsilon = 0.01;     // share of the box diagonal, Sec. III.5.2
+    double smoothness = 10.0;  // w_smoothness, Sec. III.5.2
+    double simplicity = 0.01;  // w_simplicity, Sec. III.5.2
+    double parameterNormaliser = 35.0; // D of Eq. III.4
+    int maxDegree = 4;         // Sec. III.5.3
+    std::vector<int> clusterCounts = {20, 30, 40, 50}; // Sec. III.5.3, Initialization
+    double initialBoost = 10.0;   // on mu and lambda of the first fits, Sec. III.5.3
+    int mergesPerIteration = 3;   // Sec. III.5.3, New model proposal
+    int maxIterations = 20;       // the thesis needed 2 to 8
+    int runs = 10;                // best of, Sec. III.7.1
+    std::uint64_t seed = 1;
+    ModelFitOptions fit;
+};
+
+struct Segmentation
+{
+    std::vector<int> labels;                // index into models, one a proxy vertex
+    std::vector<ImplicitPolynomial> models; // only those used
+    double energy = 0.0;
+    double fidelity = 0.0;   // Eq. III.2
+    double smoothness = 0.0; // Eq. III.3, without its weight
+    double simplicity = 0.0; // Eq. III.4, without its weight
+    int iterations = 0;      // of Algorithm 1
+    std::vector<double> runEnergies; // of every run, to judge the spread (Fig. III.10)
+};
+
+Result<Segmentation> segment(const Association &association, const MeshTopology &topology,
+                             const SegmentationOptions &options, const JobControl &control);
+
+} // namespace ductus
