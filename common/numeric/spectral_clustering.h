@@ -14,7 +14,11 @@
 namespace ductus {
 
 /// The \a count eigenvectors of the normalised Laplacian with the smallest eigenvalues, one row a vertex,
-/// ascending. The graph may have several components. Deterministic (fixed start vectors, signs normalised).
+/// ascending. Affinities (the edges' weights) must be finite and >= 0; loops count for nothing. The graph may
+/// have several components, a vertex without edges being one: each gives an eigenvalue 0, the largest
+/// component's vector first. Fewer columns when there are fewer vertices than \a count. Deterministic (fixed
+/// start vectors, each column's entry of largest magnitude positive). Fails with Cancelled, InvalidArgument
+/// or NoSolution.
 Result<Eigen::MatrixXd> spectralEmbedding(int vertexCount, const std::vector<LabelingEdge> &edges, int count,
                                           const JobControl &control);
 
