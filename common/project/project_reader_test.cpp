@@ -1,5 +1,6 @@
 #include "project/project_reader.h"
 
+#include "project/container/entry_name.h"
 #include "project/project_writer.h"
 #include "project/testing/container_surgery.h"
 #include "project/testing/sample_project.h"

@@ -32,7 +32,7 @@ Result<VersionedJson> parsedVersionedJson(std::string text, const std::string &s
         if (Result<void> done = migrations.migrate(object, schema, result.fileVersion, currentVersion, place);
             !done)
             return done.error();
-        Result<JsonDocument> upgraded = parsedJson(jsonText(object), place);
+        Result<JsonDocument> upgraded = parsedJson(jsonText(object, 0), place);
         if (!upgraded)
             return upgraded.error();
         result.json = std::move(*upgraded);

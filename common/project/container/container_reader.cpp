@@ -38,11 +38,14 @@ Result<std::shared_ptr<zip_t>> openZip(std::span<const std::byte> bytes, const s
     zip_source_t *source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error);
     zip_t *zip = source ? zip_open_from_source(source, ZIP_RDONLY | ZIP_CHECKCONS, &error) : nullptr;
     std::string reason = zip ? std::string() : zip_error_strerror(&error);
+    const bool repeatedName = !zip && zip_error_code_zip(&error) == ZIP_ER_EXISTS;
     zip_error_fini(&error);
     if (zip)
         return std::shared_ptr<zip_t>(zip, ZipDiscard());
     if (source)
         zip_source_free(source);
+    if (repeatedName)
+        return malformed(name, "two entries have the same name");
     return malformed(name, "this is not an intact zip container: " + reason);
 }
 

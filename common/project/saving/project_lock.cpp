@@ -117,9 +117,11 @@ Result<int> openLockFile(const fs::path &file)
 fs::path lockPath(const fs::path &path)
 {
     std::error_code error;
-    const fs::path target =
-        fs::is_symlink(fs::symlink_status(path, error)) ? fs::weakly_canonical(path, error) : path;
-    fs::path file = error ? path : target;
+    fs::path file = path;
+    if (fs::is_symlink(fs::symlink_status(path, error))) {
+        if (const fs::path target = fs::weakly_canonical(path, error); !error)
+            file = target;
+    }
     file += ".lock";
     return file;
 }

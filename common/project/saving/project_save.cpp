@@ -29,10 +29,12 @@ Error saveError(ErrorCode code, std::string problem, std::string remedy, const f
 Result<fs::path> resolvedTarget(const fs::path &path)
 {
     std::error_code error;
-    const fs::path target =
-        fs::is_symlink(fs::symlink_status(path, error)) ? fs::weakly_canonical(path, error) : path;
-    if (error)
-        return saveError(ErrorCode::WriteFailed, error.message(), "", path);
+    fs::path target = path;
+    if (fs::is_symlink(fs::symlink_status(path, error))) {
+        target = fs::weakly_canonical(path, error);
+        if (error)
+            return saveError(ErrorCode::WriteFailed, error.message(), "", path);
+    }
     const fs::file_status status = fs::status(target, error);
     if (fs::exists(status) && !fs::is_regular_file(status))
         return saveError(ErrorCode::NotAFile, "this is not a file", "Choose another name", path);
