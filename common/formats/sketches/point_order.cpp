@@ -1,6 +1,7 @@
 #include "formats/sketches/point_order.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace ductus {
@@ -10,6 +11,7 @@ namespace {
 constexpr std::size_t windowSize = 512;
 constexpr std::size_t mostWindows = 32;
 constexpr double unorderedRatio = 3.0;
+constexpr double unorderedStep = 0.1; // of the box diagonal
 
 double median(std::vector<double> &values)
 {
@@ -31,19 +33,26 @@ bool isUnordered(const std::vector<Vec3> &points)
     const std::size_t stride = windows > 1 ? (points.size() - size) / (windows - 1) : 0;
     std::vector<double> toNext;
     std::vector<double> toNearest;
+    Box3 box;
     for (std::size_t w = 0; w < windows; ++w) {
         const std::size_t begin = w * stride;
         for (std::size_t i = begin; i < begin + size; ++i) {
-            if (i + 1 < begin + size)
+            box.add(points[i]);
+            // Points at the same place (pauses of the pen, retraced lines) say nothing about the order.
+            if (i + 1 < begin + size && points[i + 1] != points[i])
                 toNext.push_back((points[i + 1] - points[i]).norm());
             double nearest = std::numeric_limits<double>::infinity();
             for (std::size_t j = begin; j < begin + size; ++j)
-                if (j != i)
+                if (points[j] != points[i])
                     nearest = std::min(nearest, (points[j] - points[i]).squaredNorm());
-            toNearest.push_back(std::sqrt(nearest));
+            if (std::isfinite(nearest))
+                toNearest.push_back(std::sqrt(nearest));
         }
     }
-    return median(toNext) > unorderedRatio * median(toNearest);
+    if (toNext.empty() || toNearest.empty())
+        return false;
+    const double step = median(toNext);
+    return step > unorderedRatio * median(toNearest) && step > unorderedStep * box.diagonal();
 }
 
 } // namespace ductus
