@@ -39,6 +39,8 @@ struct PictureScene
 {
     std::vector<PictureMesh> meshes;
     std::vector<PictureLine> lines;
+    std::vector<Vec3> alsoInFrame; // not drawn, but kept in the picture: pictures of a sketch and of its
+                                   // surface that each name the other's points are taken from the same place
 };
 
 struct PictureOptions

@@ -97,6 +97,7 @@ private slots:
     void aBallCoversTheDiscPerspectivePredicts();
     void everythingIsInTheFrame_data();
     void everythingIsInTheFrame();
+    void sharedFramePointsGiveTheSameView();
     void theNearerMeshHidesTheFarther();
     void aTubeBehindAMeshIsHidden();
     void aFaintTubeShinesThroughFaintly();
@@ -178,6 +179,31 @@ void SurfacePictureTest::everythingIsInTheFrame()
     const bool fills = (left <= marginX + 2 && right >= image.width - marginX - 3) ||
                        (top <= marginY + 2 && bottom >= image.height - marginY - 3);
     QVERIFY(fills);
+}
+
+void SurfacePictureTest::sharedFramePointsGiveTheSameView()
+{
+    // A small green square alone, and the same beside a large red one: the green pixels must be the same
+    // ones.
+    const PictureMesh small = square(0.5, 0.4, green), large = square(0.0, 2.0, red);
+    PictureScene both, alone;
+    both.meshes = {small, large};
+    alone.meshes = {small};
+    alone.alsoInFrame = large.mesh.vertices;
+    alone.alsoInFrame.push_back(Vec3::Constant(std::numeric_limits<double>::quiet_NaN()));
+    const auto greenPixels = [](const Image &image) {
+        std::vector<int> places;
+        for (int i = 0; i < image.width * image.height; ++i) {
+            if (leading(image.at(i % image.width, i / image.width)) == 1)
+                places.push_back(i);
+        }
+        return places;
+    };
+    PictureOptions options = front();
+    options.supersampling = 1; // no pixels of two colours
+    const std::vector<int> places = greenPixels(renderPicture(alone, options));
+    QVERIFY(places.size() > 100);
+    QCOMPARE(greenPixels(renderPicture(both, options)), places);
 }
 
 void SurfacePictureTest::theNearerMeshHidesTheFarther()

@@ -67,7 +67,9 @@ Camera framedCamera(const Stage &stage, const PictureOptions &options)
         add(tube.a, tube.radius);
         add(tube.b, tube.radius);
     }
-    if (stage.isEmpty())
+    for (const Vec3 &p : stage.alsoInFrame)
+        add(p, 0.0);
+    if (stage.isEmpty() && stage.alsoInFrame.empty())
         add(Vec3::Zero(), 0.5);
 
     const double distance = std::max({(reach.right + reach.left) / (2.0 * slopeX),

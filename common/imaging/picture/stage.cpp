@@ -59,7 +59,7 @@ struct DrawableMesh
     std::vector<int> kept; // number in the scene's mesh of each triangle
 };
 
-StageFrame frameOf(const std::vector<DrawableMesh> &meshes, const std::vector<PictureLine> &lines, bool zUp)
+StageFrame frameOf(const std::vector<DrawableMesh> &meshes, const PictureScene &scene, bool zUp)
 {
     Box3 box;
     for (const DrawableMesh &drawable : meshes) {
@@ -68,18 +68,22 @@ StageFrame frameOf(const std::vector<DrawableMesh> &meshes, const std::vector<Pi
                 box.add(drawable.mesh.vertices[std::size_t(corner)]);
         }
     }
-    for (const PictureLine &line : lines) {
+    for (const PictureLine &line : scene.lines) {
         for (const Vec3 &p : line.points) {
             if (isDrawable(p))
                 box.add(p);
         }
+    }
+    for (const Vec3 &p : scene.alsoInFrame) {
+        if (isDrawable(p))
+            box.add(p);
     }
     if (box.isEmpty())
         return {Vec3::Zero(), 1.0, zUp};
     // A single point has no diagonal; then its tube says how large the scene is.
     double diagonal = box.diagonal();
     if (diagonal <= 0.0) {
-        for (const PictureLine &line : lines)
+        for (const PictureLine &line : scene.lines)
             diagonal = std::max(diagonal, 4.0 * line.radius);
     }
     return {box.centre(), diagonal > 0.0 ? 1.0 / diagonal : 1.0, zUp};
@@ -167,7 +171,7 @@ Stage makeStage(const PictureScene &scene, bool zUp)
     std::vector<DrawableMesh> meshes(scene.meshes.size());
     for (std::size_t i = 0; i < meshes.size(); ++i)
         meshes[i].mesh = drawableMesh(scene.meshes[i].mesh, meshes[i].kept);
-    const StageFrame frame = frameOf(meshes, scene.lines, zUp);
+    const StageFrame frame = frameOf(meshes, scene, zUp);
 
     Stage stage;
     for (std::size_t i = 0; i < meshes.size(); ++i)
@@ -177,6 +181,11 @@ Stage makeStage(const PictureScene &scene, bool zUp)
     for (std::size_t i = 0; i < meshes.size(); ++i) {
         if (scene.meshes[i].drawCreases)
             addCreases(scene.meshes[i], meshes[i], frame, stage);
+    }
+
+    for (const Vec3 &p : scene.alsoInFrame) {
+        if (isDrawable(p))
+            stage.alsoInFrame.push_back(frame.point(p));
     }
 
     double lowest = 1e300;

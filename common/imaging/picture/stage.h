@@ -33,7 +33,8 @@ struct Stage
 {
     std::vector<StageTriangle> triangles;
     std::vector<StageTube> tubes; // in scene order, creases after strokes
-    double groundHeight = 0.0;    // y of the lowest point
+    std::vector<Vec3> alsoInFrame;
+    double groundHeight = 0.0; // y of the lowest point
     bool isEmpty() const { return triangles.empty() && tubes.empty(); }
 };
 
