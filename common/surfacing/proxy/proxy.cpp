@@ -1,5 +1,6 @@
 #include "surfacing/proxy/proxy.h"
 
+#include "geometry/hole_filling.h"
 #include "geometry/mesh_topology.h"
 #include "geometry/nearest.h"
 #include "geometry/remesh.h"
@@ -10,7 +11,9 @@
 #include "surfacing/proxy/proxy_quality.h"
 #include "surfacing/proxy/variational_fit.h"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace ductus {
 
@@ -64,64 +67,89 @@ struct Neighbourhood
     }
 };
 
-struct VariationalRung
+// Points of the wrap far from all strokes, moved in by the offset the wrap keeps.
+std::vector<Vec3> fillersOf(const Wrap &wrap, const std::vector<Vec3> &strokePoints, const ProxyOptions &options)
 {
-    TriangleMesh mesh;
-    bool isOpen = false;
-};
-
-Result<VariationalRung> variationalRung(const std::vector<Vec3> &points, const Wrap &wrap, double lambda,
-                                        const ProxyOptions &options, const JobControl &control)
-{
-    const std::vector<int> chosen = farthestPoints(points, options.fitPoints, 1e-3);
-    std::vector<Vec3> fitPoints, prior;
-    const NearestOnMesh nearestWrap(wrap.mesh);
-    for (int i : chosen) {
-        fitPoints.push_back(points[std::size_t(i)]);
-        prior.push_back(wrap.mesh.faceNormal(nearestWrap.nearest(fitPoints.back()).triangle));
+    std::vector<Vec3> candidates;
+    for (int t = 0; t < wrap.mesh.triangleCount(); ++t) {
+        const Triangle &corners = wrap.mesh.triangles[std::size_t(t)];
+        const Vec3 &a = wrap.mesh.vertices[std::size_t(corners[0])], &b = wrap.mesh.vertices[std::size_t(corners[1])],
+                   &c = wrap.mesh.vertices[std::size_t(corners[2])];
+        const double size = std::max({(a - b).norm(), (b - c).norm(), (c - a).norm()});
+        const int n = std::max(1, int(std::ceil(3.0 * size / options.fillerDistance)));
+        const Vec3 inwards = options.wrap.offset * wrap.mesh.faceNormal(t);
+        for (int i = 0; i < n; ++i)
+            for (int j = 0; i + j < n; ++j) {
+                const double u = (i + 1.0 / 3) / n, v = (j + 1.0 / 3) / n;
+                candidates.push_back(a + u * (b - a) + v * (c - a) - inwards);
+            }
     }
+    std::vector<Vec3> far;
+    for (const Vec3 &p : candidates) {
+        double nearest = 1.0;
+        for (const Vec3 &q : strokePoints)
+            nearest = std::min(nearest, (p - q).squaredNorm());
+        if (nearest > options.fillerDistance * options.fillerDistance)
+            far.push_back(p);
+    }
+    std::vector<Vec3> fillers;
+    for (int i : farthestPoints(far, options.fitPoints / 2, options.fillerDistance))
+        fillers.push_back(far[std::size_t(i)]);
+    return fillers;
+}
+
+Result<HermiteField> fitField(const std::vector<Vec3> &strokePoints, const Wrap &wrap, bool isOpen, double lambda,
+                              const ProxyOptions &options, const JobControl &control)
+{
+    std::vector<Vec3> points = isOpen ? std::vector<Vec3>() : fillersOf(wrap, strokePoints, options);
     VariationalFitOptions fitOptions;
-    fitOptions.lambda = lambda;
-    const Result<VariationalFit> fit = fitVariational(fitPoints, prior, fitOptions, control.part(0.0, 0.5));
+    fitOptions.pointLambdas.assign(points.size(), options.fillerLambda);
+    for (int i : farthestPoints(strokePoints, options.fitPoints - int(points.size()), 1e-3))
+        points.push_back(strokePoints[std::size_t(i)]);
+    fitOptions.pointLambdas.resize(points.size(), lambda);
+    std::vector<Vec3> prior;
+    const NearestOnMesh nearestWrap(wrap.mesh);
+    for (const Vec3 &p : points)
+        prior.push_back(wrap.mesh.faceNormal(nearestWrap.nearest(p).triangle));
+    const Result<VariationalFit> fit = fitVariational(points, prior, fitOptions, control);
     if (!fit)
         return fit.error();
+    return fit->field;
+}
 
+Result<TriangleMesh> variationalRung(const std::vector<Vec3> &points, const Wrap &wrap, bool isOpen, double lambda,
+                                     const ProxyOptions &options, const JobControl &control)
+{
+    const Result<HermiteField> field = fitField(points, wrap, isOpen, lambda, options, control.part(0.0, 0.5));
+    if (!field)
+        return field.error();
+    const NearestOnMesh nearestWrap(wrap.mesh);
     const Neighbourhood neighbourhood{nearestWrap, options.domainBand};
     Box3 box = boundingBox(wrap.mesh.vertices);
     const double cell = 1.0 / options.cellsAlongDiagonal;
     box.min.array() -= options.domainBand + 2 * cell;
     box.max.array() += options.domainBand + 2 * cell;
 
-    // Capped: everything outside the neighbourhood is outside the shape, so the contour is closed.
-    const ScalarField capped = [&](const Vec3 &x) { return std::max(fit->field.value(x), neighbourhood(x)); };
+    // Everything outside the neighbourhood counts as outside the shape, so the contour is closed: by a cap there.
+    const ScalarField capped = [&](const Vec3 &x) { return std::max(field->value(x), neighbourhood(x)); };
     Result<TriangleMesh> contour =
-        contourFromSeeds(capped, fitPoints, box, {cell, 3'000'000, 2}, control.part(0.5, 1.0));
-    if (!contour)
-        return contour.error();
-    TriangleMesh mesh = withoutStrayComponents(*contour, points);
+        contourFromSeeds(capped, points, box, {cell, 3'000'000, 2}, control.part(0.5, 1.0));
+    if (!contour || !isOpen)
+        return contour;
 
-    // Triangles on the cap are those where the neighbourhood, not the field, is zero.
-    std::vector<char> isCap(mesh.triangles.size(), 0);
-    double capArea = 0.0, area = 0.0;
-    for (int t = 0; t < mesh.triangleCount(); ++t) {
-        const Vec3 centre = mesh.centroid(t);
-        isCap[std::size_t(t)] = neighbourhood(centre) > -0.25 * cell && fit->field.value(centre) < 0.0;
-        const double triangleArea = 0.5 * mesh.areaVector(t).norm();
-        area += triangleArea;
-        capArea += isCap[std::size_t(t)] ? triangleArea : 0.0;
+    TriangleMesh open = *contour;
+    open.triangles.clear();
+    for (int t = 0; t < contour->triangleCount(); ++t) {
+        const Vec3 centre = contour->centroid(t);
+        const bool isCap = neighbourhood(centre) > -0.25 * cell && field->value(centre) < 0.0;
+        if (!isCap)
+            open.triangles.push_back(contour->triangles[std::size_t(t)]);
     }
-    VariationalRung rung;
-    rung.isOpen = capArea > options.openShare * area;
-    if (rung.isOpen) {
-        TriangleMesh open = mesh;
-        open.triangles.clear();
-        for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-            if (!isCap[t])
-                open.triangles.push_back(mesh.triangles[t]);
-        mesh = withoutStrayComponents(compacted(open), points);
-    }
-    rung.mesh = std::move(mesh);
-    return rung;
+    Result<TriangleMesh> sheet = repaired(withoutStrayComponents(compacted(open), points));
+    if (!sheet)
+        return sheet;
+    const std::vector<std::vector<int>> loops = borderLoops(*sheet);
+    return loops.empty() ? *sheet : withHolesFilled(*sheet, options.holeShare * loopLength(*sheet, loops.front()));
 }
 
 } // namespace
@@ -148,21 +176,27 @@ Result<Proxy> makeProxy(const StrokeSet &strokes, const ProxyOptions &options, c
 
     Proxy proxy;
     proxy.alpha = wrap->alpha;
+    bool isOpen = wrap->isShell;
+    for (const Stroke &stroke : strokes.strokes)
+        isOpen = isOpen || stroke.role == StrokeRole::Boundary;
     if (options.allowVariational)
         for (double lambda : options.lambdas) {
-            Result<VariationalRung> rung = variationalRung(points, *wrap, lambda, options, control.part(0.2, 0.7));
+            Result<TriangleMesh> rung =
+                variationalRung(points, *wrap, isOpen, lambda, options, control.part(0.2, 0.7));
+            if (rung)
+                rung = withoutStrayComponents(*rung, points);
             if (!rung && rung.error().isCancelled())
                 return rung.error();
             std::optional<std::string> fault;
             if (rung)
-                fault = proxyFault(rung->mesh, wrap->mesh, points, {});
+                fault = proxyFault(*rung, wrap->mesh, points, {});
             else
                 fault = rung.error().problem;
             if (fault) {
                 proxy.remarks += (proxy.remarks.empty() ? "" : "; ") + *fault;
                 continue;
             }
-            Result<TriangleMesh> mesh = finished(rung->mesh, points, options, control.part(0.7, 1.0));
+            Result<TriangleMesh> mesh = finished(*rung, points, options, control.part(0.7, 1.0));
             if (!mesh) {
                 if (mesh.error().isCancelled())
                     return mesh.error();
@@ -171,7 +205,7 @@ Result<Proxy> makeProxy(const StrokeSet &strokes, const ProxyOptions &options, c
             }
             proxy.mesh = std::move(*mesh);
             proxy.kind = ProxyKind::Variational;
-            proxy.isOpen = rung->isOpen;
+            proxy.isOpen = isOpen;
             proxy.lambda = lambda;
             return proxy;
         }

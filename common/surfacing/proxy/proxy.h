@@ -2,8 +2,9 @@
 // from a mesh made elsewhere; always remeshed to even triangles and attracted to the strokes.
 //
 // The ladder, first rung that stands wins:
-//   1. variational: the smooth field of variational_fit.h, contoured inside the neighbourhood of the wrap. Where the
-//      zero set ends at that neighbourhood it is either capped (little of it) or left open (sketch of a shell);
+//   1. variational: the smooth field of variational_fit.h, contoured inside the neighbourhood of the wrap. For a solid
+//      the wrap also says, loosely, where the surface is between the strokes, and the contour is closed; for a shell
+//      (wrap_proxy.h, or where boundary strokes are marked) the contour ends with the neighbourhood;
 //   2. the same with more smoothing;
 //   3. wrap: CGAL's alpha wrap of the strokes, closed and manifold by construction.
 #pragma once
@@ -23,8 +24,10 @@ struct ProxyOptions
     int fitPoints = 600;             // well-spread subset for the dense variational fit; at most about 1000
     std::vector<double> lambdas = {1e-7, 1e-5}; // nuggets tried in turn, unit frame
     double cellsAlongDiagonal = 96;  // of the contouring grid
-    double domainBand = 0.04;        // how far outside the wrap the smooth surface may lie, share of the diagonal
-    double openShare = 0.12;         // of the area at the domain's end, above which the sketch is an open shell
+    double domainBand = 0.05;        // how far outside the wrap the smooth surface may lie, share of the diagonal
+    double fillerDistance = 0.06;    // solids: where no stroke is this near, points of the wrap say where about ...
+    double fillerLambda = 1e-3;      // ... the surface is, with this much freedom (nugget, unit frame)
+    double holeShare = 0.35;         // shells: border loops shorter than this share of the longest are closed
     bool allowVariational = true;    // off: wrap only
     WrapOptions wrap;
 };

@@ -26,7 +26,7 @@ struct Covariance
 };
 
 // Rows of C and blocks of the gradient covariance; columns are gradients, all x then all y then all z.
-void assemble(const std::vector<Vec3> &p, double lambda, Covariance &cov)
+void assemble(const std::vector<Vec3> &p, const Eigen::VectorXd &lambda, Covariance &cov)
 {
     const Eigen::Index n = Eigen::Index(p.size());
     cov.K.setZero(n + 4, n + 4);
@@ -45,7 +45,7 @@ void assemble(const std::vector<Vec3> &p, double lambda, Covariance &cov)
                     cov.S(k * n + i, l * n + j) =
                         r < 1e-12 ? 0.0 : -3.0 * (d[k] * d[l] / r + (k == l ? r : 0.0));
         }
-        cov.K(j, j) += lambda;
+        cov.K(j, j) += lambda[j];
         cov.K(n, j) = cov.K(j, n) = 1.0;
         for (int k = 0; k < 3; ++k) {
             cov.K(n + 1 + k, j) = cov.K(j, n + 1 + k) = p[column][k];
@@ -118,8 +118,11 @@ Result<VariationalFit> fitVariational(const std::vector<Vec3> &points, const std
                      "Draw strokes in depth, or give a proxy mesh", ""};
 
     control.progress(0.0, "Fitting a smooth surface");
+    Eigen::VectorXd lambda = Eigen::VectorXd::Constant(n, options.lambda);
+    if (!options.pointLambdas.empty())
+        lambda = Eigen::Map<const Eigen::VectorXd>(options.pointLambdas.data(), n);
     Covariance cov;
-    assemble(points, options.lambda, cov);
+    assemble(points, lambda, cov);
     eliminateValues(cov);
     if (control.isCancelled())
         return cancelledError(attempted);
@@ -169,7 +172,7 @@ Result<VariationalFit> fitVariational(const std::vector<Vec3> &points, const std
     const Eigen::VectorXd c = factor.solve(bestGradients);
     const Eigen::VectorXd u = -cov.lu.solve(cov.C * c);
     fit.field = HermiteField(points, u.head(n), c, u.tail<4>());
-    fit.rmsValue = options.lambda * std::sqrt(u.head(n).squaredNorm() / double(n)); // f(p_i) = -lambda a_i
+    fit.rmsValue = std::sqrt(lambda.cwiseProduct(u.head(n)).squaredNorm() / double(n)); // f(p_i) = -lambda a_i
     for (Eigen::Index i = 0; i < n; ++i)
         fit.normals.push_back({bestGradients[i], bestGradients[n + i], bestGradients[2 * n + i]});
     return fit;

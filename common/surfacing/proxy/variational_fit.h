@@ -19,6 +19,7 @@ namespace ductus {
 struct VariationalFitOptions
 {
     double lambda = 0.0;       // nugget, in (unit frame)^3; 0 interpolates
+    std::vector<double> pointLambdas; // instead, one a point; empty: lambda for all
     int maxIterations = 120;   // of L-BFGS a start
     double tolerance = 1e-6;   // relative decrease that ends it
 };

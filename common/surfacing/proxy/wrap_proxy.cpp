@@ -1,38 +1,110 @@
 #include "surfacing/proxy/wrap_proxy.h"
 
+#include "base/parallel.h"
 #include "geometry/alpha_wrap.h"
+#include "geometry/mesh_topology.h"
+#include "geometry/nearest.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace ductus {
 
+namespace {
+
+struct Candidate
+{
+    TriangleMesh mesh;
+    double volume = 0.0, area = 0.0;
+    double thinShare = 0.0; // of the area
+    int eulerNumber = 0, components = 0;
+};
+
+// Share of the area behind which the wrap comes out again within the thickness.
+double thinShare(const TriangleMesh &mesh, double thickness)
+{
+    const NearestOnMesh nearest(mesh);
+    double thin = 0.0, area = 0.0;
+    for (int t = 0; t < mesh.triangleCount(); ++t) {
+        const Vec3 twice = mesh.areaVector(t);
+        bool isThick = true;
+        for (double share : {0.4, 0.7, 1.0})
+            isThick = isThick && nearest.isInside(mesh.centroid(t) - share * thickness * twice.normalized());
+        area += twice.norm();
+        thin += isThick ? 0.0 : twice.norm();
+    }
+    return area > 0.0 ? thin / area : 1.0;
+}
+
+Candidate measured(TriangleMesh mesh, double thickness)
+{
+    Candidate c;
+    const MeshTopology topology(mesh);
+    c.volume = signedVolume(mesh);
+    c.area = surfaceArea(mesh);
+    c.thinShare = thinShare(mesh, thickness);
+    c.eulerNumber = mesh.vertexCount() - int(topology.edges.size()) + mesh.triangleCount();
+    triangleComponents(topology, &c.components);
+    c.mesh = std::move(mesh);
+    return c;
+}
+
+std::size_t tightestSolid(const std::vector<Candidate> &candidates, const WrapOptions &options)
+{
+    double leastArea = candidates[0].area;
+    std::size_t chosen = 0;
+    for (std::size_t i = 1; i < candidates.size(); ++i) {
+        leastArea = std::min(leastArea, candidates[i].area);
+        if (candidates[i].volume < options.keptVolume * candidates[i - 1].volume ||
+            candidates[i].area > options.areaGrowth * leastArea)
+            break;
+        chosen = i;
+    }
+    return chosen;
+}
+
+std::optional<std::size_t> loosestShell(const std::vector<Candidate> &candidates, const WrapOptions &options)
+{
+    double leastArea = candidates[0].area;
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        const Candidate &c = candidates[i];
+        leastArea = std::min(leastArea, c.area);
+        if (c.thinShare >= options.shellThinShare && c.components == 1 && c.eulerNumber >= 0 &&
+            c.area <= options.shellAreaGrowth * leastArea)
+            return i;
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
 Result<Wrap> wrapStrokes(const std::vector<Vec3> &points, const WrapOptions &options, const JobControl &control)
 {
-    Wrap best;
-    double bestVolume = 0.0;
-    const std::size_t count = options.alphas.size();
-    const bool isChosen = options.tightness >= 0.0;
-    const std::size_t only = std::size_t(std::lround(std::clamp(options.tightness, 0.0, 1.0) * double(count - 1)));
-    for (std::size_t i = isChosen ? only : 0; i < count; ++i) {
-        if (control.isCancelled())
-            return cancelledError("Wrapping the strokes");
-        control.progress(double(i) / double(count), "Wrapping the strokes");
-        Result<TriangleMesh> mesh = alphaWrap(points, {options.alphas[i], options.offset});
-        if (!mesh) {
-            if (best.mesh.isEmpty())
-                return mesh.error();
-            break;
-        }
-        const double volume = signedVolume(*mesh);
-        if (!best.mesh.isEmpty() && volume < options.keptVolume * bestVolume)
-            break;
-        best = {std::move(*mesh), options.alphas[i]};
-        bestVolume = volume;
-        if (isChosen)
-            break;
+    control.progress(0.0, "Wrapping the strokes");
+    std::vector<double> alphas = options.alphas;
+    if (options.tightness >= 0.0) {
+        const double place = std::clamp(options.tightness, 0.0, 1.0) * double(alphas.size() - 1);
+        alphas = {alphas[std::size_t(std::lround(place))]};
     }
-    return best;
+    std::vector<std::optional<Result<Candidate>>> wraps(alphas.size());
+    parallelFor(0, alphas.size(), [&](std::size_t i) {
+        if (control.isCancelled()) {
+            wraps[i] = Result<Candidate>(cancelledError("Wrapping the strokes"));
+            return;
+        }
+        Result<TriangleMesh> mesh = alphaWrap(points, {alphas[i], options.offset});
+        wraps[i] = mesh ? Result<Candidate>(measured(std::move(*mesh), options.thickness)) : mesh.error();
+    });
+    std::vector<Candidate> candidates;
+    for (std::optional<Result<Candidate>> &wrap : wraps) {
+        if (!wrap->ok())
+            return wrap->error();
+        candidates.push_back(std::move(**wrap));
+    }
+    const std::optional<std::size_t> shell = loosestShell(candidates, options);
+    const std::size_t chosen = shell ? *shell : tightestSolid(candidates, options);
+    return Wrap{std::move(candidates[chosen].mesh), alphas[chosen], shell.has_value()};
 }
 
 } // namespace ductus
