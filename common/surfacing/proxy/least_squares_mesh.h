@@ -17,8 +17,8 @@ struct AttractionOptions
     double controlWeight = 0.3;
     double anchorWeight = 1e-5;
     double borderAnchorWeight = 0.1; // borders of open proxies would shrink
-    double maxDistance = 0.15;       // strokes further away do not pull, share of the box diagonal
-    int rounds = 2;                  // project and solve; the second uses better feet
+    double maxDistance = 0.06;       // strokes further away do not pull, share of the box diagonal
+    int rounds = 3;                  // project and solve; later ones use better feet
 };
 
 /// \a strokePoints: even samples. The connectivity stays, vertices move.

@@ -103,7 +103,8 @@ Result<HermiteField> fitField(const std::vector<Vec3> &strokePoints, const Wrap 
 {
     std::vector<Vec3> points = isOpen ? std::vector<Vec3>() : fillersOf(wrap, strokePoints, options);
     VariationalFitOptions fitOptions;
-    fitOptions.pointLambdas.assign(points.size(), options.fillerLambda);
+    fitOptions.pointLambdas.assign(points.size(),
+                                   std::max(options.leastFillerLambda, options.fillerLambda * lambda));
     for (int i : farthestPoints(strokePoints, options.fitPoints - int(points.size()), 1e-3))
         points.push_back(strokePoints[std::size_t(i)]);
     fitOptions.pointLambdas.resize(points.size(), lambda);
@@ -179,36 +180,41 @@ Result<Proxy> makeProxy(const StrokeSet &strokes, const ProxyOptions &options, c
     bool isOpen = wrap->isShell;
     for (const Stroke &stroke : strokes.strokes)
         isOpen = isOpen || stroke.role == StrokeRole::Boundary;
-    if (options.allowVariational)
-        for (double lambda : options.lambdas) {
-            Result<TriangleMesh> rung =
-                variationalRung(points, *wrap, isOpen, lambda, options, control.part(0.2, 0.7));
-            if (rung)
-                rung = withoutStrayComponents(*rung, points);
-            if (!rung && rung.error().isCancelled())
+    const auto remark = [&](const std::string &text) {
+        proxy.remarks += (proxy.remarks.empty() ? "" : "; ") + text;
+    };
+    const Result<double> lambda =
+        chooseLambda(points, options.fitPoints, isOpen, options.lambdaChoice, control.part(0.2, 0.3));
+    if (!lambda && lambda.error().isCancelled())
+        return lambda.error();
+    if (!lambda)
+        remark(lambda.error().problem);
+    for (double smoothing : {1.0, options.retrySmoothing}) {
+        if (!options.allowVariational || !lambda)
+            break;
+        Result<TriangleMesh> rung =
+            variationalRung(points, *wrap, isOpen, smoothing * *lambda, options, control.part(0.3, 0.7));
+        if (rung)
+            rung = withoutStrayComponents(*rung, points);
+        if (rung)
+            if (const std::optional<std::string> fault = proxyFault(*rung, wrap->mesh, points, options.quality)) {
+                remark(*fault);
+                continue;
+            }
+        if (rung)
+            rung = finished(*rung, points, options, control.part(0.7, 1.0));
+        if (!rung) {
+            if (rung.error().isCancelled())
                 return rung.error();
-            std::optional<std::string> fault;
-            if (rung)
-                fault = proxyFault(*rung, wrap->mesh, points, {});
-            else
-                fault = rung.error().problem;
-            if (fault) {
-                proxy.remarks += (proxy.remarks.empty() ? "" : "; ") + *fault;
-                continue;
-            }
-            Result<TriangleMesh> mesh = finished(*rung, points, options, control.part(0.7, 1.0));
-            if (!mesh) {
-                if (mesh.error().isCancelled())
-                    return mesh.error();
-                proxy.remarks += (proxy.remarks.empty() ? "" : "; ") + mesh.error().problem;
-                continue;
-            }
-            proxy.mesh = std::move(*mesh);
-            proxy.kind = ProxyKind::Variational;
-            proxy.isOpen = isOpen;
-            proxy.lambda = lambda;
-            return proxy;
+            remark(rung.error().problem);
+            continue;
         }
+        proxy.mesh = std::move(*rung);
+        proxy.kind = ProxyKind::Variational;
+        proxy.isOpen = isOpen;
+        proxy.lambda = smoothing * *lambda;
+        return proxy;
+    }
     Result<TriangleMesh> mesh = finished(wrap->mesh, points, options, control.part(0.7, 1.0));
     if (!mesh)
         return mesh.error();

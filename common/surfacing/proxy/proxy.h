@@ -12,6 +12,8 @@
 #include "base/job_control.h"
 #include "base/result.h"
 #include "strokes/stroke.h"
+#include "surfacing/proxy/lambda_choice.h"
+#include "surfacing/proxy/proxy_quality.h"
 #include "surfacing/proxy/wrap_proxy.h"
 
 #include <string>
@@ -22,13 +24,16 @@ struct ProxyOptions
 {
     int targetVertices = 12000;      // of the remeshed proxy (the thesis uses about 20,000 for the whole shape)
     int fitPoints = 600;             // well-spread subset for the dense variational fit; at most about 1000
-    std::vector<double> lambdas = {1e-7, 1e-5}; // nuggets tried in turn, unit frame
+    LambdaChoiceOptions lambdaChoice;
+    double retrySmoothing = 10.0;    // factor on lambda for the second rung
     double cellsAlongDiagonal = 96;  // of the contouring grid
     double domainBand = 0.05;        // how far outside the wrap the smooth surface may lie, share of the diagonal
     double fillerDistance = 0.06;    // solids: where no stroke is this near, points of the wrap say where about ...
-    double fillerLambda = 1e-3;      // ... the surface is, with this much freedom (nugget, unit frame)
+    double fillerLambda = 10.0;      // ... the surface is: nugget there, as a multiple of the strokes' ...
+    double leastFillerLambda = 1e-3; // ... and at least this (unit frame)
     double holeShare = 0.35;         // shells: border loops shorter than this share of the longest are closed
     bool allowVariational = true;    // off: wrap only
+    ProxyQualityLimits quality;
     WrapOptions wrap;
 };
 

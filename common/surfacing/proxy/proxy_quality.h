@@ -10,8 +10,8 @@ namespace ductus {
 
 struct ProxyQualityLimits
 {
-    double medianDistance = 0.006; // strokes to surface, share of the diagonal
-    double p95Distance = 0.04;
+    double medianDistance = 0.015; // strokes to surface before attraction, share of the diagonal
+    double p95Distance = 0.05;
     double areaRatio = 2.6;        // of the wrap's area: more means folds and stray sheets
 };
 
