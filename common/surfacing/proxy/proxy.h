@@ -29,8 +29,8 @@ struct ProxyOptions
     double cellsAlongDiagonal = 96;  // of the contouring grid
     double domainBand = 0.05;        // how far outside the wrap the smooth surface may lie, share of the diagonal
     double fillerDistance = 0.06;    // solids: where no stroke is this near, points of the wrap say where about ...
-    double fillerLambda = 10.0;      // ... the surface is: nugget there, as a multiple of the strokes' ...
-    double leastFillerLambda = 1e-3; // ... and at least this (unit frame)
+    double fillerLambda = 3.0;       // ... the surface is: nugget there, as a multiple of the strokes' ...
+    double leastFillerLambda = 1e-4; // ... and at least this (unit frame)
     double holeShare = 0.35;         // shells: border loops shorter than this share of the longest are closed
     bool allowVariational = true;    // off: wrap only
     ProxyQualityLimits quality;
