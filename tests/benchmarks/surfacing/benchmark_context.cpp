@@ -1,0 +1,20 @@
+#include "benchmarks/surfacing/benchmark_context.h"
+
+#include <algorithm>
+
+namespace ductus {
+
+bool BenchmarkContext::wants(const std::string &solidId) const
+{
+    return solids.empty() || std::find(solids.begin(), solids.end(), solidId) != solids.end();
+}
+
+const std::vector<Section> &allSections()
+{
+    static const std::vector<Section> sections{
+        {"truth", "synthetic sketches against the surfaces they were drawn from", true, runTruthSection},
+    };
+    return sections;
+}
+
+} // namespace ductus

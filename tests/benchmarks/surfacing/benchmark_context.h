@@ -1,0 +1,44 @@
+// What every section of bench_surfacing gets, and the list of sections.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace ductus {
+
+struct BenchmarkContext
+{
+    std::ostream &out;
+    bool quick = false;              // one segmentation run, fewer cases
+    std::vector<std::string> solids; // ids to measure; empty: all
+    int runs = 0;                    // of the segmentation; 0: the pipeline's own number, 1 in quick
+    std::uint64_t seed = 1;          // of the segmentation
+    std::filesystem::path sharedData;
+
+    bool wants(const std::string &solidId) const;
+};
+
+struct SectionReport
+{
+    nlohmann::ordered_json json;
+    int failures = 0; // measurements that ended with an error instead of numbers
+};
+
+struct Section
+{
+    std::string name;
+    std::string summary;
+    bool inQuick = true;
+    SectionReport (*run)(const BenchmarkContext &);
+};
+
+SectionReport runTruthSection(const BenchmarkContext &context);
+
+/// In the order they run.
+const std::vector<Section> &allSections();
+
+} // namespace ductus
