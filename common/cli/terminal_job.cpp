@@ -2,7 +2,9 @@
 
 #include <atomic>
 #include <csignal>
+#include <cstddef>
 #include <cstdio>
+#include <iterator>
 #include <unistd.h>
 
 namespace ductus {
@@ -12,6 +14,8 @@ namespace {
 // Signal handlers reach nothing but globals; one terminal job runs at a time.
 std::atomic<bool> cancelRequested = false;
 static_assert(std::atomic<bool>::is_always_lock_free);
+
+constexpr int cancelSignals[] = {SIGINT, SIGTERM, SIGHUP};
 
 extern "C" void requestCancel(int signal)
 {
@@ -26,15 +30,21 @@ extern "C" void requestCancel(int signal)
 TerminalJob::TerminalJob(bool quiet) : mQuiet(quiet), mIsTerminal(isatty(STDERR_FILENO) != 0)
 {
     cancelRequested = false;
-    std::signal(SIGINT, requestCancel);
-    std::signal(SIGTERM, requestCancel);
+    for (std::size_t i = 0; i < std::size(cancelSignals); ++i) {
+        mPrevious[i] = std::signal(cancelSignals[i], requestCancel);
+        // nohup, or a shell that runs it in the background, had it ignored: so it stays.
+        if (mPrevious[i] == SIG_IGN)
+            std::signal(cancelSignals[i], SIG_IGN);
+    }
+    mPreviousFileSize = std::signal(SIGXFSZ, SIG_IGN);
 }
 
 TerminalJob::~TerminalJob()
 {
     finishLine();
-    std::signal(SIGINT, SIG_DFL);
-    std::signal(SIGTERM, SIG_DFL);
+    for (std::size_t i = 0; i < std::size(cancelSignals); ++i)
+        std::signal(cancelSignals[i], mPrevious[i]);
+    std::signal(SIGXFSZ, mPreviousFileSize);
 }
 
 JobControl TerminalJob::control()

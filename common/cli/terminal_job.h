@@ -1,4 +1,4 @@
-// A job run from a terminal: progress as one line on stderr, Ctrl-C and SIGTERM cancel it.
+// A job run from a terminal: progress as one line on stderr, Ctrl-C, SIGTERM and a closed terminal cancel it.
 #pragma once
 
 #include "base/job_control.h"
@@ -12,7 +12,8 @@ namespace ductus {
 class TerminalJob
 {
 public:
-    /// Takes over SIGINT and SIGTERM until destroyed: the first one cancels, a second one ends the program at once.
+    /// Takes over SIGINT, SIGTERM and SIGHUP until destroyed, unless they were ignored: the first one cancels, a second
+    /// one ends the program at once. SIGXFSZ is ignored meanwhile: a full quota is an error to tell, not a reason to die.
     /// \a quiet: no progress. On a terminal the line is rewritten in place, else each new step is a line.
     explicit TerminalJob(bool quiet);
     ~TerminalJob();
@@ -30,6 +31,8 @@ private:
     bool mQuiet;
     bool mIsTerminal;
     bool mLineIsOpen = false;
+    void (*mPrevious[3])(int) = {};
+    void (*mPreviousFileSize)(int) = nullptr;
     std::string mLastText;
     std::chrono::steady_clock::time_point mLastShown{};
     std::mutex mMutex; // progress may come from worker threads

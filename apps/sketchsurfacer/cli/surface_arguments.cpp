@@ -1,5 +1,6 @@
 #include "sketchsurfacer/cli/surface_arguments.h"
 
+#include "cli/output_files.h"
 #include "formats/mesh_file.h"
 
 #include <QCommandLineParser>
@@ -14,6 +15,9 @@ std::filesystem::path pathOf(const QString &text)
     return std::filesystem::path(text.toStdU16String());
 }
 
+// More than any sketch that is read can have; keeps "0-99999999" from filling the memory.
+constexpr int mostStrokes = 2'000'000;
+
 std::optional<std::vector<int>> strokeList(const QString &text)
 {
     std::vector<int> ids;
@@ -22,11 +26,13 @@ std::optional<std::vector<int>> strokeList(const QString &text)
         const QStringList ends = item.trimmed().split(QLatin1Char('-'));
         bool okFirst = false, okLast = false;
         const int first = ends.first().toInt(&okFirst), last = ends.last().toInt(&okLast);
-        if (!okFirst || !okLast || ends.size() > 2 || first < 0 || last < first || last > 100'000'000)
+        if (!okFirst || !okLast || ends.size() > 2 || first < 0 || last < first)
             return std::nullopt;
-        for (int id = first; id <= last; ++id)
+        for (int id = first; id <= last && int(ids.size()) <= mostStrokes; ++id)
             ids.push_back(id);
     }
+    if (ids.empty() || int(ids.size()) > mostStrokes)
+        return std::nullopt;
     return ids;
 }
 
@@ -90,6 +96,14 @@ public:
         if (!isMeshExtension(a.output))
             return wrong(QStringLiteral("OUT must end in .obj, .ply, .stl, .off or .glb"));
 
+        if (!a.picture.empty() && !mParser.value(mPicture).endsWith(QLatin1String(".png"), Qt::CaseInsensitive))
+            return wrong(QStringLiteral("--picture must end in .png"));
+        const std::filesystem::path *outputs[] = {&a.output, &a.report, &a.picture};
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < i; ++j)
+                if (!outputs[i]->empty() && !outputs[j]->empty() && isSameFile(*outputs[i], *outputs[j]))
+                    return wrong(QStringLiteral("two of OUT, --report and --picture name the same file"));
+
         const QString symmetry = mParser.value(mSymmetry);
         if (symmetry == QLatin1String("auto")) {
             a.options.symmetry = SymmetryMode::Auto;
@@ -101,6 +115,8 @@ public:
             a.options.symmetryPlane = *plane;
         }
         for (const auto &[option, ids] : {std::pair(&mBoundary, &a.boundaryStrokes), std::pair(&mIgnore, &a.ignoredStrokes)}) {
+            if (!mParser.isSet(*option))
+                continue;
             const std::optional<std::vector<int>> list = strokeList(mParser.value(*option));
             if (!list)
                 return wrong(QStringLiteral("--%1 takes stroke numbers such as 0,4,7-9").arg(option->names().last()));
@@ -108,14 +124,14 @@ public:
         }
         QString problem;
         SegmentationOptions &s = a.options.segmentation;
-        double runs = 1, seed = 1, vertices = a.options.proxy.targetVertices;
+        qlonglong runs = 1, seed = 1, vertices = a.options.proxy.targetVertices;
         number(mEpsilon, 1e-5, 0.5, s.epsilon, problem);
         number(mSimplicity, 0.0, 1e6, s.simplicity, problem);
         number(mSmoothness, 0.0, 1e6, s.smoothness, problem);
         number(mTightness, 0.0, 1.0, a.options.proxy.wrap.tightness, problem);
-        number(mRuns, 1, 1000, runs, problem);
-        number(mSeed, 0, 9007199254740992.0, seed, problem);
-        number(mVertices, 200, 500000, vertices, problem);
+        wholeNumber(mRuns, 1, 1000, runs, problem);
+        wholeNumber(mSeed, 0, 9007199254740992, seed, problem);
+        wholeNumber(mVertices, 200, 500000, vertices, problem);
         if (!problem.isEmpty())
             return wrong(problem);
         s.runs = int(runs);
@@ -141,6 +157,20 @@ private:
             value = given;
         else
             problem = QStringLiteral("--%1 takes a number from %2 to %3").arg(option.names().last()).arg(low).arg(high);
+    }
+
+    void wholeNumber(const QCommandLineOption &option, qlonglong low, qlonglong high, qlonglong &value,
+                     QString &problem) const
+    {
+        if (!mParser.isSet(option))
+            return;
+        bool ok = false;
+        const qlonglong given = mParser.value(option).toLongLong(&ok);
+        if (ok && given >= low && given <= high)
+            value = given;
+        else
+            problem =
+                QStringLiteral("--%1 takes a whole number from %2 to %3").arg(option.names().last()).arg(low).arg(high);
     }
 
     static QCommandLineOption option(const char *name, const char *description, const char *value = "",

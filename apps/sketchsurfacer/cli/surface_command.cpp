@@ -1,7 +1,7 @@
 #include "sketchsurfacer/cli/surface_command.h"
 
+#include "cli/output_files.h"
 #include "cli/terminal_job.h"
-#include "formats/atomic_file.h"
 #include "formats/mesh_file.h"
 #include "formats/png_file.h"
 #include "formats/sketch_file.h"
@@ -10,10 +10,17 @@
 #include "sketchsurfacer/cli/surface_report.h"
 
 #include <cstdio>
+#include <new>
+#include <span>
+#include <utility>
 
 namespace ductus {
 
 namespace {
+
+constexpr char writingMesh[] = "Writing the mesh";
+constexpr char writingReport[] = "Writing the report";
+constexpr char writingPicture[] = "Writing the picture";
 
 ExitCode fail(TerminalJob &job, const Error &error)
 {
@@ -35,18 +42,64 @@ Result<void> setRoles(StrokeSet &strokes, const std::vector<int> &ids, StrokeRol
     return {};
 }
 
-// A place that cannot be written to is better known before the work than after.
-Result<void> checkWritable(const std::filesystem::path &path)
+// What can be known to fail after the work is better told before it.
+Result<void> checkOutputs(const SurfaceArguments &a)
 {
-    std::error_code ec;
-    const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
-    if (!std::filesystem::is_directory(folder, ec))
-        return Error{ErrorCode::WriteFailed, "Writing the result", "the folder does not exist",
-                     "Create it, or choose another place", path.string()};
-    if (std::filesystem::is_directory(path, ec))
-        return Error{ErrorCode::NotAFile, "Writing the result", "this is a folder", "Choose a file name",
-                     path.string()};
+    const std::pair<const std::filesystem::path *, const char *> outputs[] = {
+        {&a.output, writingMesh}, {&a.report, writingReport}, {&a.picture, writingPicture}};
+    for (const auto &[path, attempted] : outputs) {
+        if (path->empty())
+            continue;
+        if (Result<void> writable = checkWritable(*path, attempted); !writable)
+            return writable;
+        for (const std::filesystem::path *input : {&a.input, &a.proxy})
+            if (!input->empty() && isSameFile(*path, *input))
+                return Error{ErrorCode::InvalidArgument, attempted, "this file is also read; it would be overwritten",
+                             "Choose another name", path->string()};
+    }
     return {};
+}
+
+Result<void> checkIsSketch(const SketchFile &sketch, const std::filesystem::path &path)
+{
+    if (!sketch.isPointCloud)
+        return {};
+    return Error{ErrorCode::Unsupported, "Reading the sketch",
+                 "these " + std::to_string(sketch.strokes.strokes.size()) +
+                     " points do not follow one another: a cloud of points and not drawn strokes",
+                 "Give the points of each stroke in drawing order, with a blank line between strokes", path.string()};
+}
+
+// All files asked for, or none of them.
+Result<void> writeOutputs(const SurfaceArguments &a, const StrokeSet &strokes, const SurfaceResult &result,
+                          const JobControl &control)
+{
+    OutputFiles files;
+    if (!a.report.empty()) {
+        const std::string text = surfaceReport(a.input, strokes, a.options, result).dump(2) + "\n";
+        if (Result<void> added = files.add(a.report, std::as_bytes(std::span(text)), writingReport); !added)
+            return added;
+    }
+    if (!a.picture.empty()) {
+        const Result<std::vector<std::byte>> png = encodePng(resultPicture(strokes, result));
+        if (!png)
+            return png.error();
+        if (Result<void> added = files.add(a.picture, *png, writingPicture); !added)
+            return added;
+    }
+    MeshFileContent content;
+    content.mesh = result.mesh;
+    content.triangleRegions = result.triangleRegions;
+    content.featureLines = result.featureLines;
+    content.comment = "SketchSurfacer surface of " + a.input.filename().string();
+    const Result<std::string> mesh = meshBytes(content, a.output.extension().string(), control);
+    if (!mesh)
+        return mesh.error();
+    if (Result<void> added = files.add(a.output, std::as_bytes(std::span(*mesh)), writingMesh); !added)
+        return added;
+    if (control.isCancelled())
+        return cancelledError(writingMesh);
+    return files.commit();
 }
 
 std::string summary(const SurfaceResult &result)
@@ -63,15 +116,15 @@ std::string summary(const SurfaceResult &result)
 ExitCode run(SurfaceArguments &a, TerminalJob &job)
 {
     const JobControl control = job.control();
-    for (const std::filesystem::path *path : {&a.output, &a.report, &a.picture})
-        if (!path->empty())
-            if (Result<void> writable = checkWritable(*path); !writable)
-                return fail(job, writable.error());
+    if (Result<void> writable = checkOutputs(a); !writable)
+        return fail(job, writable.error());
 
     control.progress(0.0, "Reading the sketch");
     Result<SketchFile> sketch = readSketch(a.input, {}, control);
     if (!sketch)
         return fail(job, sketch.error());
+    if (Result<void> isSketch = checkIsSketch(*sketch, a.input); !isSketch)
+        return fail(job, isSketch.error());
     for (const std::string &warning : sketch->warnings)
         std::fprintf(stderr, "sketchsurfacer: %s\n", warning.c_str());
     for (Result<void> chosen : {setRoles(sketch->strokes, a.boundaryStrokes, StrokeRole::Boundary, "--boundary"),
@@ -95,22 +148,7 @@ ExitCode run(SurfaceArguments &a, TerminalJob &job)
     }
 
     control.progress(0.97, "Writing the result");
-    MeshFileContent content;
-    content.mesh = result->mesh;
-    content.triangleRegions = result->triangleRegions;
-    content.featureLines = result->featureLines;
-    content.comment = "SketchSurfacer surface of " + a.input.filename().string();
-    // The mesh comes last: where it exists, all that was asked for beside it exists too.
-    if (!a.report.empty()) {
-        const std::string text = surfaceReport(a.input, sketch->strokes, a.options, *result).dump(2) + "\n";
-        if (Result<void> written = writeFileAtomically(a.report, std::as_bytes(std::span(text)), "Writing the report");
-            !written)
-            return fail(job, written.error());
-    }
-    if (!a.picture.empty())
-        if (Result<void> written = writePng(resultPicture(sketch->strokes, *result), a.picture); !written)
-            return fail(job, written.error());
-    if (Result<void> written = writeMesh(content, a.output, control.part(0.99, 1.0)); !written)
+    if (Result<void> written = writeOutputs(a, sketch->strokes, *result, control.part(0.97, 1.0)); !written)
         return fail(job, written.error());
 
     control.progress(1.0, "Done");
@@ -132,7 +170,13 @@ ExitCode runSurfaceCommand(const QStringList &arguments)
         return parsed.isHelp ? ExitCode::Done : ExitCode::WrongUsage;
     }
     TerminalJob job(parsed.arguments->quiet);
-    return run(*parsed.arguments, job);
+    try {
+        return run(*parsed.arguments, job);
+    } catch (const std::bad_alloc &) {
+        return fail(job, {ErrorCode::TooLarge, "Surfacing the sketch", "the memory does not suffice for it",
+                          "Thin the sketch out, or lower --proxy-vertices",
+                          parsed.arguments->input.filename().string()});
+    }
 }
 
 } // namespace ductus

@@ -27,12 +27,12 @@ Result<double> chooseLambda(const std::vector<Vec3> &strokePoints, int fitPointC
     for (std::size_t i = 0; i < fits.size(); ++i) {
         if (!fits[i]->ok())
             return fits[i]->error();
-        if ((*fits[i])->energy <= options.calmEnergy) {
-            chosen = i;
+        // More smoothing than people's imprecision asks for swallows thin parts, however calm the field gets.
+        if (i > 0 && (*fits[i])->rmsValue > (isShell ? options.shellNoise : options.solidNoise))
             break;
-        }
-        if ((*fits[i])->rmsValue <= (isShell ? options.shellNoise : options.solidNoise))
-            chosen = i;
+        chosen = i;
+        if ((*fits[i])->energy <= options.calmEnergy)
+            break;
     }
     return options.lambdas[chosen] * double(fitPointCount) / 600.0;
 }

@@ -13,6 +13,8 @@ const std::vector<Section> &allSections()
 {
     static const std::vector<Section> sections{
         {"truth", "synthetic sketches against the surfaces they were drawn from", true, runTruthSection},
+        {"timing", "seconds and memory beside Table III.1 of the thesis", true, runTimingSection},
+        {"proxy", "cost and exactness of the variational fit beside VIPSS", true, runProxySection},
     };
     return sections;
 }

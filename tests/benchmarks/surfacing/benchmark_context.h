@@ -37,6 +37,8 @@ struct Section
 };
 
 SectionReport runTruthSection(const BenchmarkContext &context);
+SectionReport runTimingSection(const BenchmarkContext &context);
+SectionReport runProxySection(const BenchmarkContext &context);
 
 /// In the order they run.
 const std::vector<Section> &allSections();
