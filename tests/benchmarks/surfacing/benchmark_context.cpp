@@ -15,6 +15,7 @@ const std::vector<Section> &allSections()
         {"truth", "synthetic sketches against the surfaces they were drawn from", true, runTruthSection},
         {"timing", "seconds and memory beside Table III.1 of the thesis", true, runTimingSection},
         {"proxy", "cost and exactness of the variational fit beside VIPSS", true, runProxySection},
+        {"sweeps", "habits of drawing, parameters, random starts", false, runSweepSection},
     };
     return sections;
 }

@@ -39,6 +39,7 @@ struct Section
 SectionReport runTruthSection(const BenchmarkContext &context);
 SectionReport runTimingSection(const BenchmarkContext &context);
 SectionReport runProxySection(const BenchmarkContext &context);
+SectionReport runSweepSection(const BenchmarkContext &context);
 
 /// In the order they run.
 const std::vector<Section> &allSections();

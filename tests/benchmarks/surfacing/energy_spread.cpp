@@ -1,0 +1,106 @@
+#include "benchmarks/surfacing/energy_spread.h"
+
+#include "benchmarks/report/table.h"
+#include "strokes/resample.h"
+#include "support/sketch_synthesis.h"
+#include "surfacing/pipeline/surface_pipeline.h"
+#include "surfacing/sketch/unit_frame.h"
+
+#include <algorithm>
+
+namespace ductus {
+
+namespace {
+
+constexpr int seeds = 10;
+
+const std::vector<Column> columns{
+    {"case", "case", 46},       {"samples", "samples", 7},    {"lowest", "lowest", 8, 4},
+    {"median", "median", 8, 4}, {"highest", "highest", 8, 4}, {"spreadPercent", "spread %", 8, 1},
+};
+
+// Everything before the segmentation, which all runs share.
+struct Prepared
+{
+    MeshTopology topology;
+    Association association;
+};
+
+Result<Prepared> prepared(const Solid &solid)
+{
+    const SurfaceOptions options;
+    const StrokeSet drawn = cleaned(synthesizeSketch(solid, {}).strokes);
+    StrokeSet strokes = inUnitFrame(drawn, unitFrameOf(drawn));
+    for (Stroke &stroke : strokes.strokes)
+        stroke = resampled(stroke, options.resamplingStep);
+    const Result<Proxy> proxy = makeProxy(strokes, options.proxy, JobControl());
+    if (!proxy)
+        return proxy.error();
+    MeshTopology topology(proxy->mesh);
+    Result<Association> association =
+        associate(strokes, proxy->mesh, topology, options.association, JobControl());
+    if (!association)
+        return association.error();
+    return Prepared{std::move(topology), std::move(*association)};
+}
+
+void addRow(const std::string &name, std::vector<double> energies, Table &table)
+{
+    std::sort(energies.begin(), energies.end());
+    const double lowest = energies.front(), highest = energies.back();
+    table.add({name, double(energies.size()), lowest, energies[energies.size() / 2], highest,
+               lowest > 0.0 ? Cell(100.0 * (highest - lowest) / lowest) : Cell()});
+}
+
+void addSingleRuns(const std::string &name, const Prepared &task, SegmentationOptions options, Table &table)
+{
+    options.runs = seeds;
+    const Result<Segmentation> segmentation = segment(task.association, task.topology, options, JobControl());
+    if (!segmentation)
+        return table.addFailure(name, segmentation.error().message());
+    addRow(name, segmentation->runEnergies, table);
+}
+
+// What the user gets: the best of the default number of runs, for several seeds.
+void addBestOfRuns(const std::string &name, const Prepared &task, SegmentationOptions options, Table &table)
+{
+    std::vector<double> energies;
+    for (int seed = 1; seed <= seeds; ++seed) {
+        options.seed = std::uint64_t(seed);
+        const Result<Segmentation> segmentation =
+            segment(task.association, task.topology, options, JobControl());
+        if (!segmentation)
+            return table.addFailure(name, segmentation.error().message());
+        energies.push_back(segmentation->energy);
+    }
+    addRow(name, energies, table);
+}
+
+} // namespace
+
+SectionReport energySpread(const BenchmarkContext &context, const std::vector<Solid> &solids)
+{
+    Table table(context.out,
+                "SWEEPS: energy of the segmentation over random starts; spread = (highest - lowest) / lowest",
+                columns);
+    for (const Solid &solid : solids) {
+        const Result<Prepared> task = prepared(solid);
+        if (!task) {
+            table.addFailure(solid.id, task.error().message());
+            continue;
+        }
+        SegmentationOptions options;
+        options.seed = context.seed;
+        addSingleRuns(solid.id + ": single runs", *task, options, table);
+        SegmentationOptions unboosted = options;
+        unboosted.initialBoost = 1.0;
+        addSingleRuns(solid.id + ": single runs, first fits not boosted", *task, unboosted, table);
+        SegmentationOptions oneCount = options;
+        oneCount.clusterCounts = {30};
+        addSingleRuns(solid.id + ": single runs, 30 clusters only", *task, oneCount, table);
+        addBestOfRuns(solid.id + ": best of " + std::to_string(options.runs), *task, options, table);
+    }
+    return {table.json(), table.failures()};
+}
+
+} // namespace ductus
