@@ -37,9 +37,11 @@ std::vector<ImplicitPolynomial> initialModels(const Association &association, co
                 subsets.push_back(std::move(points));
         }
     }
-    std::vector<ImplicitPolynomial> models(subsets.size());
-    parallelFor(0, subsets.size(), [&](std::size_t i) {
-        models[i] = fitPolynomial(association.points, subsets[i], options.maxDegree, fit);
+    const std::size_t degrees = options.initialDegrees.size();
+    std::vector<ImplicitPolynomial> models(subsets.size() * degrees);
+    parallelFor(0, models.size(), [&](std::size_t i) {
+        const int degree = std::min(options.initialDegrees[i % degrees], options.maxDegree);
+        models[i] = fitPolynomial(association.points, subsets[i / degrees], degree, fit);
     });
     return models;
 }

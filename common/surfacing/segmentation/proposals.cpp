@@ -58,8 +58,8 @@ std::vector<ImplicitPolynomial> proposeModels(const Association &association, co
         for (std::size_t v = 0; v < labels.size(); ++v)
             flags[v] = labels[v] == int(a);
         pointsOfLabel[a] = pointsOf(association, flags);
-        if (models[a].degree > 1 && !pointsOfLabel[a].empty())
-            proposals.push_back({pointsOfLabel[a], models[a].degree - 1});
+        for (int degree = models[a].degree - 1; degree >= 1 && !pointsOfLabel[a].empty(); --degree)
+            proposals.push_back({pointsOfLabel[a], degree});
     }
 
     int merges = 0;
@@ -74,11 +74,11 @@ std::vector<ImplicitPolynomial> proposeModels(const Association &association, co
             continue;
         std::vector<int> points;
         std::set_union(pa.begin(), pa.end(), pb.begin(), pb.end(), std::back_inserter(points));
-        const int degree = std::max(models[std::size_t(a)].degree, models[std::size_t(b)].degree);
-        proposals.push_back({std::move(points), degree});
-        // Two planes or two quadrics can be one surface of the next degree.
-        if (degree < options.maxDegree)
-            proposals.push_back({proposals.back().points, degree + 1});
+        // Two planes or two quadrics can be one surface of the next degree, two bits of a face one plane.
+        const int highest =
+            std::min(options.maxDegree, std::max(models[std::size_t(a)].degree, models[std::size_t(b)].degree) + 1);
+        for (int degree = 1; degree <= highest; ++degree)
+            proposals.push_back({points, degree});
         ++merges;
     }
 

@@ -152,9 +152,9 @@ private:
     {
         for (std::size_t v = 0; v < mLabels.size(); ++v)
             result.fidelity += mCandidates[std::size_t(mLabels[v])].costs[v];
-        for (const LabelingEdge &e : mEdges)
-            if (mLabels[std::size_t(e.u)] != mLabels[std::size_t(e.v)])
-                result.smoothness += e.weight / mOptions.smoothness;
+        for (std::size_t e = 0; e < mEdges.size(); ++e)
+            if (mLabels[std::size_t(mEdges[e].u)] != mLabels[std::size_t(mEdges[e].v)])
+                result.smoothness += mAssociation.edgeWeights[e] / mTotalWeight;
         for (const ImplicitPolynomial &model : result.models)
             result.simplicity += double(model.theta.size()) / mOptions.parameterNormaliser;
         result.energy = result.fidelity + mOptions.smoothness * result.smoothness +

@@ -24,7 +24,8 @@ struct SegmentationOptions
     int maxDegree = 4;         // Sec. III.5.3
     std::vector<int> clusterCounts = {20, 30, 40, 50}; // Sec. III.5.3, Initialization
     double initialBoost = 10.0;   // on mu and lambda of the first fits, Sec. III.5.3
-    int mergesPerIteration = 3;   // Sec. III.5.3, New model proposal
+    std::vector<int> initialDegrees = {1, 2, 4}; // of the first fits; the thesis: only 4
+    int mergesPerIteration = 10;  // the thesis: 3, Sec. III.5.3, New model proposal
     int maxIterations = 20;       // the thesis needed 2 to 8
     int runs = 10;                // best of, Sec. III.7.1
     std::uint64_t seed = 1;
