@@ -1,5 +1,6 @@
 #include "cli/terminal_job.h"
 
+#include <algorithm>
 #include <atomic>
 #include <csignal>
 #include <cstddef>
@@ -49,7 +50,8 @@ TerminalJob::~TerminalJob()
 
 JobControl TerminalJob::control()
 {
-    return JobControl(&cancelRequested, [this](double fraction, std::string_view text) { show(fraction, text); });
+    return JobControl(&cancelRequested,
+                      [this](double fraction, std::string_view text) { show(fraction, text); });
 }
 
 void TerminalJob::finishLine()
@@ -65,6 +67,9 @@ void TerminalJob::show(double fraction, std::string_view text)
     if (mQuiet)
         return;
     const std::lock_guard lock(mMutex);
+    // A stage that reports a step twice, or parallel runs that overtake each other, must not let it run
+    // backwards.
+    fraction = mLastFraction = std::max(mLastFraction, fraction);
     const auto now = std::chrono::steady_clock::now();
     const bool isNewText = text != mLastText;
     if (mIsTerminal) {

@@ -63,7 +63,8 @@ Image resultPicture(const StrokeSet &strokes, const SurfaceResult &result)
     coloured.triangleColours = regionColoursOf(result);
     regions.meshes.push_back(std::move(coloured));
     addStrokes(strokes, diagonal / 700, diagonal / 80, regions);
-    return sideBySide({renderPicture(sketch, options), renderPicture(regions, options), renderPicture(surface, options)});
+    return sideBySide(
+        {renderPicture(sketch, options), renderPicture(regions, options), renderPicture(surface, options)});
 }
 
 } // namespace ductus

@@ -65,13 +65,14 @@ public:
     Parser()
     {
         mParser.setApplicationDescription(QStringLiteral(
-            "Surfaces a 3D sketch: reads strokes, makes or takes a proxy, finds the smooth patches the strokes "
+            "Surfaces a 3D sketch: reads strokes, makes or takes a proxy, finds the smooth patches the "
+            "strokes "
             "describe, and writes one manifold mesh.\n\n"
             "IN: .curves, OBJ with lines, CURVE text, x y z text. OUT: .obj, .ply, .stl, .off, .glb.\n"
             "Exit codes: 0 done, 1 failed with the reason on stderr, 2 wrong usage, 3 cancelled (Ctrl-C)."));
         mParser.addPositionalArgument(QStringLiteral("IN"), QStringLiteral("The sketch."));
-        mParser.addOptions({mHelp, mOutput, mProxy, mSymmetry, mEpsilon, mSimplicity, mSmoothness, mRuns, mSeed,
-                            mVertices, mTightness, mBoundary, mIgnore, mReport, mPicture, mQuiet});
+        mParser.addOptions({mHelp, mOutput, mProxy, mSymmetry, mEpsilon, mSimplicity, mSmoothness, mRuns,
+                            mSeed, mVertices, mTightness, mBoundary, mIgnore, mReport, mPicture, mQuiet});
     }
 
     ParsedSurfaceArguments parse(const QStringList &arguments)
@@ -96,7 +97,8 @@ public:
         if (!isMeshExtension(a.output))
             return wrong(QStringLiteral("OUT must end in .obj, .ply, .stl, .off or .glb"));
 
-        if (!a.picture.empty() && !mParser.value(mPicture).endsWith(QLatin1String(".png"), Qt::CaseInsensitive))
+        if (!a.picture.empty() &&
+            !mParser.value(mPicture).endsWith(QLatin1String(".png"), Qt::CaseInsensitive))
             return wrong(QStringLiteral("--picture must end in .png"));
         const std::filesystem::path *outputs[] = {&a.output, &a.report, &a.picture};
         for (int i = 0; i < 3; ++i)
@@ -114,12 +116,14 @@ public:
             a.options.symmetry = SymmetryMode::Given;
             a.options.symmetryPlane = *plane;
         }
-        for (const auto &[option, ids] : {std::pair(&mBoundary, &a.boundaryStrokes), std::pair(&mIgnore, &a.ignoredStrokes)}) {
+        for (const auto &[option, ids] :
+             {std::pair(&mBoundary, &a.boundaryStrokes), std::pair(&mIgnore, &a.ignoredStrokes)}) {
             if (!mParser.isSet(*option))
                 continue;
             const std::optional<std::vector<int>> list = strokeList(mParser.value(*option));
             if (!list)
-                return wrong(QStringLiteral("--%1 takes stroke numbers such as 0,4,7-9").arg(option->names().last()));
+                return wrong(
+                    QStringLiteral("--%1 takes stroke numbers such as 0,4,7-9").arg(option->names().last()));
             *ids = *list;
         }
         QString problem;
@@ -143,11 +147,14 @@ public:
 private:
     ParsedSurfaceArguments wrong(const QString &problem) const
     {
-        return {std::nullopt,
-                QStringLiteral("sketchsurfacer surface: %1. See: sketchsurfacer surface --help\n").arg(problem), false};
+        return {
+            std::nullopt,
+            QStringLiteral("sketchsurfacer surface: %1. See: sketchsurfacer surface --help\n").arg(problem),
+            false};
     }
 
-    void number(const QCommandLineOption &option, double low, double high, double &value, QString &problem) const
+    void number(const QCommandLineOption &option, double low, double high, double &value,
+                QString &problem) const
     {
         if (!mParser.isSet(option))
             return;
@@ -156,7 +163,10 @@ private:
         if (ok && given >= low && given <= high)
             value = given;
         else
-            problem = QStringLiteral("--%1 takes a number from %2 to %3").arg(option.names().last()).arg(low).arg(high);
+            problem = QStringLiteral("--%1 takes a number from %2 to %3")
+                          .arg(option.names().last())
+                          .arg(low)
+                          .arg(high);
     }
 
     void wholeNumber(const QCommandLineOption &option, qlonglong low, qlonglong high, qlonglong &value,
@@ -169,38 +179,54 @@ private:
         if (ok && given >= low && given <= high)
             value = given;
         else
-            problem =
-                QStringLiteral("--%1 takes a whole number from %2 to %3").arg(option.names().last()).arg(low).arg(high);
+            problem = QStringLiteral("--%1 takes a whole number from %2 to %3")
+                          .arg(option.names().last())
+                          .arg(low)
+                          .arg(high);
     }
 
     static QCommandLineOption option(const char *name, const char *description, const char *value = "",
                                      const char *defaultValue = "")
     {
-        return QCommandLineOption(QString::fromLatin1(name).split(QLatin1Char('/')), QString::fromUtf8(description),
-                                  QString::fromLatin1(value), QString::fromLatin1(defaultValue));
+        return QCommandLineOption(QString::fromLatin1(name).split(QLatin1Char('/')),
+                                  QString::fromUtf8(description), QString::fromLatin1(value),
+                                  QString::fromLatin1(defaultValue));
     }
 
     QCommandLineParser mParser;
     QCommandLineOption mHelp = option("h/help", "Shows this help.");
     QCommandLineOption mOutput = option("o/output", "The mesh to write.", "OUT");
-    QCommandLineOption mProxy = option("proxy", "A rough mesh of the shape to read the strokes on; made automatically "
-                                                "without it.", "MESH");
-    QCommandLineOption mSymmetry = option("symmetry", "Mirror plane: auto, none, x, y, z or nx,ny,nz,d. Half of the "
-                                                      "sketch is solved and mirrored.", "PLANE", "none");
-    QCommandLineOption mEpsilon = option("epsilon", "How loosely strokes are followed, share of the sketch's box "
-                                                    "diagonal.", "E", "0.01");
+    QCommandLineOption mProxy = option("proxy",
+                                       "A rough mesh of the shape to read the strokes on; made automatically "
+                                       "without it.",
+                                       "MESH");
+    QCommandLineOption mSymmetry = option("symmetry",
+                                          "Mirror plane: auto, none, x, y, z or nx,ny,nz,d. Half of the "
+                                          "sketch is solved and mirrored.",
+                                          "PLANE", "none");
+    QCommandLineOption mEpsilon = option("epsilon",
+                                         "How loosely strokes are followed, share of the sketch's box "
+                                         "diagonal.",
+                                         "E", "0.01");
     QCommandLineOption mSimplicity = option("simplicity", "Larger: fewer and simpler patches.", "W", "0.01");
-    QCommandLineOption mSmoothness = option("smoothness", "Larger: patch borders keep closer to strokes.", "W", "10");
+    QCommandLineOption mSmoothness =
+        option("smoothness", "Larger: patch borders keep closer to strokes.", "W", "10");
     QCommandLineOption mRuns = option("runs", "Runs of which the best is kept.", "N", "1");
     QCommandLineOption mSeed = option("seed", "Same seed, same bytes.", "S", "1");
     QCommandLineOption mVertices = option("proxy-vertices", "Size of the remeshed proxy.", "V", "12000");
-    QCommandLineOption mTightness = option("tightness", "How tightly strokes are wrapped when the proxy is made, 0 to "
-                                                        "1; chosen automatically without it.", "T");
-    QCommandLineOption mBoundary = option("boundary", "Strokes along the border of an open surface, counted from 0 as "
-                                                      "in the file: 0,4,7-9.", "IDS");
+    QCommandLineOption mTightness = option("tightness",
+                                           "How tightly strokes are wrapped when the proxy is made, 0 to "
+                                           "1; chosen automatically without it.",
+                                           "T");
+    QCommandLineOption mBoundary = option("boundary",
+                                          "Strokes along the border of an open surface, counted from 0 as "
+                                          "in the file: 0,4,7-9.",
+                                          "IDS");
     QCommandLineOption mIgnore = option("ignore", "Strokes to leave out, counted from 0.", "IDS");
-    QCommandLineOption mReport = option("report", "Writes timings, energies, regions and deviations as JSON.", "R.json");
-    QCommandLineOption mPicture = option("picture", "Writes a picture of sketch and surface; needs no display.", "P.png");
+    QCommandLineOption mReport =
+        option("report", "Writes timings, energies, regions and deviations as JSON.", "R.json");
+    QCommandLineOption mPicture =
+        option("picture", "Writes a picture of sketch and surface; needs no display.", "P.png");
     QCommandLineOption mQuiet = option("q/quiet", "No progress on stderr.");
 };
 

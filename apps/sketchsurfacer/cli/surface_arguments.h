@@ -13,9 +13,9 @@ struct SurfaceArguments
 {
     std::filesystem::path input;
     std::filesystem::path output;
-    std::filesystem::path proxy;   // empty: made automatically
-    std::filesystem::path report;  // empty: none
-    std::filesystem::path picture; // empty: none
+    std::filesystem::path proxy;                      // empty: made automatically
+    std::filesystem::path report;                     // empty: none
+    std::filesystem::path picture;                    // empty: none
     std::vector<int> boundaryStrokes, ignoredStrokes; // 0-based, in file order
     bool quiet = false;
     SurfaceOptions options;

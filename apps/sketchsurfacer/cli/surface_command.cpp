@@ -5,8 +5,8 @@
 #include "formats/mesh_file.h"
 #include "formats/png_file.h"
 #include "formats/sketch_file.h"
-#include "sketchsurfacer/cli/surface_arguments.h"
 #include "sketchsurfacer/cli/result_picture.h"
+#include "sketchsurfacer/cli/surface_arguments.h"
 #include "sketchsurfacer/cli/surface_report.h"
 
 #include <cstdio>
@@ -54,8 +54,9 @@ Result<void> checkOutputs(const SurfaceArguments &a)
             return writable;
         for (const std::filesystem::path *input : {&a.input, &a.proxy})
             if (!input->empty() && isSameFile(*path, *input))
-                return Error{ErrorCode::InvalidArgument, attempted, "this file is also read; it would be overwritten",
-                             "Choose another name", path->string()};
+                return Error{ErrorCode::InvalidArgument, attempted,
+                             "this file is also read; it would be overwritten", "Choose another name",
+                             path->string()};
     }
     return {};
 }
@@ -67,7 +68,8 @@ Result<void> checkIsSketch(const SketchFile &sketch, const std::filesystem::path
     return Error{ErrorCode::Unsupported, "Reading the sketch",
                  "these " + std::to_string(sketch.strokes.strokes.size()) +
                      " points do not follow one another: a cloud of points and not drawn strokes",
-                 "Give the points of each stroke in drawing order, with a blank line between strokes", path.string()};
+                 "Give the points of each stroke in drawing order, with a blank line between strokes",
+                 path.string()};
 }
 
 // All files asked for, or none of them.
@@ -105,11 +107,12 @@ Result<void> writeOutputs(const SurfaceArguments &a, const StrokeSet &strokes, c
 std::string summary(const SurfaceResult &result)
 {
     char text[256];
-    std::snprintf(text, sizeof text,
-                  "%d vertices, %zu regions, %zu creases; strokes lie within %.2f %% of the diagonal (median), %.2f %% "
-                  "(95th percentile); %.1f s",
-                  result.mesh.vertexCount(), result.regions.size(), result.featureLines.size(),
-                  100 * result.deviation.median, 100 * result.deviation.p95, result.timings.total);
+    std::snprintf(
+        text, sizeof text,
+        "%d vertices, %zu regions, %zu creases; strokes lie within %.2f %% of the diagonal (median), %.2f %% "
+        "(95th percentile); %.1f s",
+        result.mesh.vertexCount(), result.regions.size(), result.featureLines.size(),
+        100 * result.deviation.median, 100 * result.deviation.p95, result.timings.total);
     return text;
 }
 
@@ -127,8 +130,9 @@ ExitCode run(SurfaceArguments &a, TerminalJob &job)
         return fail(job, isSketch.error());
     for (const std::string &warning : sketch->warnings)
         std::fprintf(stderr, "sketchsurfacer: %s\n", warning.c_str());
-    for (Result<void> chosen : {setRoles(sketch->strokes, a.boundaryStrokes, StrokeRole::Boundary, "--boundary"),
-                                setRoles(sketch->strokes, a.ignoredStrokes, StrokeRole::Ignored, "--ignore")})
+    for (Result<void> chosen :
+         {setRoles(sketch->strokes, a.boundaryStrokes, StrokeRole::Boundary, "--boundary"),
+          setRoles(sketch->strokes, a.ignoredStrokes, StrokeRole::Ignored, "--ignore")})
         if (!chosen)
             return fail(job, chosen.error());
     std::optional<TriangleMesh> proxy;
@@ -139,7 +143,8 @@ ExitCode run(SurfaceArguments &a, TerminalJob &job)
         proxy = std::move(*mesh);
     }
 
-    const Result<SurfaceResult> result = surfaceSketch(sketch->strokes, proxy, a.options, control.part(0.02, 0.97));
+    const Result<SurfaceResult> result =
+        surfaceSketch(sketch->strokes, proxy, a.options, control.part(0.02, 0.97));
     if (!result) {
         Error error = result.error();
         if (error.place.empty())

@@ -45,17 +45,19 @@ nlohmann::ordered_json surfaceReport(const std::filesystem::path &input, const S
                        {"lambda", rounded(result.proxy.lambda)},
                        {"remarks", result.proxy.remarks}};
     if (result.symmetry)
-        report["symmetry"] = {{"normal",
-                               {rounded(result.symmetry->plane.normal.x()), rounded(result.symmetry->plane.normal.y()),
-                                rounded(result.symmetry->plane.normal.z())}},
-                              {"offset", rounded(result.symmetry->plane.offset)},
-                              {"matchedShare", rounded(result.symmetry->matchedShare)},
-                              {"residual", rounded(result.symmetry->residual)}};
+        report["symmetry"] = {
+            {"normal",
+             {rounded(result.symmetry->plane.normal.x()), rounded(result.symmetry->plane.normal.y()),
+              rounded(result.symmetry->plane.normal.z())}},
+            {"offset", rounded(result.symmetry->plane.offset)},
+            {"matchedShare", rounded(result.symmetry->matchedShare)},
+            {"residual", rounded(result.symmetry->residual)}};
 
-    report["mesh"] = {{"vertices", result.mesh.vertexCount()},   {"triangles", result.mesh.triangleCount()},
-                      {"borderEdges", manifold.borderEdges},     {"components", manifold.components},
-                      {"manifold", manifold.isManifold()},       {"watertight", manifold.isClosed()},
-                      {"area", rounded(surfaceArea(result.mesh))}, {"featureLines", result.featureLines.size()}};
+    report["mesh"] = {
+        {"vertices", result.mesh.vertexCount()},     {"triangles", result.mesh.triangleCount()},
+        {"borderEdges", manifold.borderEdges},       {"components", manifold.components},
+        {"manifold", manifold.isManifold()},         {"watertight", manifold.isClosed()},
+        {"area", rounded(surfaceArea(result.mesh))}, {"featureLines", result.featureLines.size()}};
     Json regions = Json::array();
     for (const SurfaceRegion &region : result.regions)
         regions.push_back({{"degree", region.degree}, {"area", rounded(region.area)}});
@@ -65,9 +67,12 @@ nlohmann::ordered_json surfaceReport(const std::filesystem::path &input, const S
     Json runs = Json::array();
     for (double energy : s.runEnergies)
         runs.push_back(rounded(energy));
-    report["energy"] = {{"total", rounded(s.energy)},         {"fidelity", rounded(s.fidelity)},
-                        {"smoothness", rounded(s.smoothness)}, {"simplicity", rounded(s.simplicity)},
-                        {"models", s.models.size()},           {"iterations", s.iterations},
+    report["energy"] = {{"total", rounded(s.energy)},
+                        {"fidelity", rounded(s.fidelity)},
+                        {"smoothness", rounded(s.smoothness)},
+                        {"simplicity", rounded(s.simplicity)},
+                        {"models", s.models.size()},
+                        {"iterations", s.iterations},
                         {"runs", runs}};
     report["deviationPercent"] = {{"median", rounded(100 * result.deviation.median)},
                                   {"mean", rounded(100 * result.deviation.mean)},
