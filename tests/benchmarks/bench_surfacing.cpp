@@ -36,7 +36,7 @@ void printUsage(std::ostream &out)
            "sections:\n";
     for (const Section &section : allSections())
         out << "  " << section.name << (section.inQuick ? "" : "*")
-            << std::string(9 - section.name.size(), ' ') << section.summary << "\n";
+            << std::string(20 - section.name.size() - !section.inQuick, ' ') << section.summary << "\n";
 }
 
 std::optional<int> numberIn(const std::string &text)
@@ -63,7 +63,7 @@ std::optional<std::string> parse(int argc, char **argv, Arguments &arguments)
         if (name == "--only") {
             const auto &sections = allSections();
             if (std::none_of(sections.begin(), sections.end(),
-                             [&](const Section &s) { return s.name == value; }))
+                             [&](const Section &s) { return s.isMeantBy(value); }))
                 return "there is no section '" + value + "'";
             arguments.only = value;
         } else if (name == "--json") {
@@ -110,7 +110,7 @@ int main(int argc, char **argv)
     int failures = 0;
     for (const Section &section : allSections()) {
         const bool wanted =
-            arguments.only.empty() ? section.inQuick || !arguments.quick : section.name == arguments.only;
+            arguments.only.empty() ? section.inQuick || !arguments.quick : section.isMeantBy(arguments.only);
         if (!wanted)
             continue;
         const SectionReport part = section.run(context);

@@ -1,9 +1,11 @@
 #include "benchmarks/report/resource_meter.h"
 
+#include <algorithm>
 #include <fstream>
 #include <malloc.h>
 #include <string>
 #include <sys/resource.h>
+#include <unistd.h>
 
 namespace ductus {
 
@@ -36,12 +38,33 @@ std::optional<double> peakMegabytes()
     return std::nullopt;
 }
 
+// proc(5): the first line of /proc/stat, in clock ticks: user nice system idle iowait irq softirq steal, and
+// guests, which are in user and nice already.
+std::optional<MachineTime> machineTime()
+{
+    std::ifstream stat("/proc/stat");
+    std::string name;
+    stat >> name;
+    MachineTime time;
+    for (int field = 0; field < 8; ++field) {
+        double ticks = 0.0;
+        if (!(stat >> ticks))
+            return std::nullopt;
+        const double seconds = ticks / double(sysconf(_SC_CLK_TCK));
+        const bool isIdle = field == 3 || field == 4;
+        time.all += seconds;
+        time.busy += isIdle ? 0.0 : seconds;
+    }
+    return name == "cpu" ? std::optional(time) : std::nullopt;
+}
+
 } // namespace
 
 ResourceMeter::ResourceMeter()
 {
     mPeakIsNew = restartPeak();
     mCpuStart = cpuSecondsSoFar();
+    mMachineStart = machineTime();
     mWallStart = std::chrono::steady_clock::now();
 }
 
@@ -52,6 +75,11 @@ ResourceUse ResourceMeter::used() const
     use.cpuSeconds = cpuSecondsSoFar() - mCpuStart;
     if (mPeakIsNew)
         use.peakMegabytes = peakMegabytes();
+    const std::optional<MachineTime> now = machineTime();
+    if (mMachineStart && now && now->all > mMachineStart->all) {
+        const double others = now->busy - mMachineStart->busy - use.cpuSeconds;
+        use.othersShare = std::clamp(others / (now->all - mMachineStart->all), 0.0, 1.0);
+    }
     return use;
 }
 

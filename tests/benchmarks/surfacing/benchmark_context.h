@@ -34,12 +34,17 @@ struct Section
     std::string summary;
     bool inQuick = true;
     SectionReport (*run)(const BenchmarkContext &);
+
+    /// By its whole name or by what stands before the hyphen: "sweeps" means all sweeps.
+    bool isMeantBy(const std::string &text) const;
 };
 
 SectionReport runTruthSection(const BenchmarkContext &context);
 SectionReport runTimingSection(const BenchmarkContext &context);
 SectionReport runProxySection(const BenchmarkContext &context);
-SectionReport runSweepSection(const BenchmarkContext &context);
+SectionReport runHabitSweeps(const BenchmarkContext &context);
+SectionReport runParameterSweeps(const BenchmarkContext &context);
+SectionReport runStartSweeps(const BenchmarkContext &context);
 
 /// In the order they run.
 const std::vector<Section> &allSections();

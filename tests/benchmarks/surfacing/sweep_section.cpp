@@ -3,7 +3,7 @@
 // (III.10).
 #include "benchmarks/report/table.h"
 #include "benchmarks/surfacing/benchmark_context.h"
-#include "benchmarks/surfacing/energy_spread.h"
+#include "benchmarks/surfacing/swept_solids.h"
 #include "benchmarks/surfacing/truth_scores.h"
 #include "surfacing/pipeline/surface_pipeline.h"
 
@@ -101,30 +101,46 @@ void sweepParameters(const Solid &solid, const SurfaceOptions &base, Table &tabl
     }
 }
 
-} // namespace
-
-SectionReport runSweepSection(const BenchmarkContext &context)
+SurfaceOptions baseOptions(const BenchmarkContext &context)
 {
     SurfaceOptions options;
     options.segmentation.seed = context.seed;
     options.segmentation.runs =
         context.runs > 0 ? context.runs : 1; // many cases, and no lucky run hides a weakness
-    std::vector<Solid> solids;
-    for (Solid solid : {bevelledBox(), computerMouse()})
-        if (context.wants(solid.id))
-            solids.push_back(std::move(solid));
+    return options;
+}
 
-    Table robustness(context.out, "SWEEPS: drawing habits, one at a time (distances in % of the diagonal)",
-                     columns);
-    for (const Solid &solid : solids)
-        sweepHabits(solid, options, robustness);
-    Table parameters(context.out, "SWEEPS: parameters, drawn by the default hand", columns);
-    for (const Solid &solid : solids)
-        sweepParameters(solid, options, parameters);
-    const SectionReport energies = energySpread(context, solids);
-    return {
-        {{"robustness", robustness.json()}, {"parameters", parameters.json()}, {"energies", energies.json}},
-        robustness.failures() + parameters.failures() + energies.failures};
+using Sweep = void (*)(const Solid &, const SurfaceOptions &, Table &);
+
+SectionReport sweep(const BenchmarkContext &context, const std::string &title, Sweep run)
+{
+    Table table(context.out, title, columns);
+    for (const Solid &solid : sweptSolids(context))
+        run(solid, baseOptions(context), table);
+    return {table.json(), table.failures()};
+}
+
+} // namespace
+
+std::vector<Solid> sweptSolids(const BenchmarkContext &context)
+{
+    std::vector<Solid> solids;
+    for (const Solid &solid : {bevelledBox(), computerMouse()})
+        if (context.wants(solid.id))
+            solids.push_back(solid);
+    return solids;
+}
+
+SectionReport runHabitSweeps(const BenchmarkContext &context)
+{
+    return sweep(context, "SWEEPS: drawing habits, one at a time (distances in % of the diagonal)",
+                 sweepHabits);
+}
+
+SectionReport runParameterSweeps(const BenchmarkContext &context)
+{
+    return sweep(context, "SWEEPS: parameters, drawn by the default hand (distances in % of the diagonal)",
+                 sweepParameters);
 }
 
 } // namespace ductus

@@ -62,7 +62,7 @@ std::vector<Vec3> spreadPoints(const TriangleMesh &mesh, int count)
     return points;
 }
 
-Result<ZeroSet> fittedZeroSet(const std::vector<Vec3> &points, bool withWrapPrior)
+Result<ZeroSet> fittedZeroSet(const std::vector<Vec3> &points, const ZeroSetOptions &options)
 {
     const UnitFrame frame = frameOf(points);
     std::vector<Vec3> unit;
@@ -70,7 +70,7 @@ Result<ZeroSet> fittedZeroSet(const std::vector<Vec3> &points, bool withWrapPrio
         unit.push_back(frame.unitFromInput(point));
 
     std::vector<Vec3> prior;
-    if (withWrapPrior) {
+    if (options.withWrapPrior) {
         Result<std::vector<Vec3>> normals = wrapNormals(unit);
         if (!normals)
             return normals.error();
@@ -78,8 +78,10 @@ Result<ZeroSet> fittedZeroSet(const std::vector<Vec3> &points, bool withWrapPrio
     }
 
     ZeroSet zeroSet;
+    VariationalFitOptions fitOptions;
+    fitOptions.lambda = options.lambda;
     const ResourceMeter fitMeter;
-    const Result<VariationalFit> fit = fitVariational(unit, prior, {}, JobControl());
+    const Result<VariationalFit> fit = fitVariational(unit, prior, fitOptions, JobControl());
     zeroSet.fit = fitMeter.used();
     if (!fit)
         return fit.error();
@@ -90,9 +92,9 @@ Result<ZeroSet> fittedZeroSet(const std::vector<Vec3> &points, bool withWrapPrio
     box.max.array() += margin;
     const ScalarField field = [&](const Vec3 &x) { return fit->field.value(x); };
     const ResourceMeter contourMeter;
-    ContourOptions options;
-    options.cellSize = longestSide / cellsAlongSide;
-    Result<TriangleMesh> contour = contourFromSeeds(field, unit, box, options, JobControl());
+    ContourOptions contourOptions;
+    contourOptions.cellSize = longestSide / cellsAlongSide;
+    Result<TriangleMesh> contour = contourFromSeeds(field, unit, box, contourOptions, JobControl());
     zeroSet.contour = contourMeter.used();
     if (!contour)
         return contour.error();

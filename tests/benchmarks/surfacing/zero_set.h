@@ -17,11 +17,17 @@ struct ZeroSet
     std::optional<double> peakMegabytes; // the higher of both
 };
 
-/// Interpolates  points (lambda 0), contoured in their box enlarged by a tenth of the diagonal on a grid of
-/// 100 cells along its longest side, as the published runs were.  withWrapPrior: rough normals of the wrap
-/// of the points help, as they do in the pipeline (their cost is not counted). Fails as wrapStrokes,
-/// fitVariational and contourFromSeeds do.
-Result<ZeroSet> fittedZeroSet(const std::vector<Vec3> &points, bool withWrapPrior);
+struct ZeroSetOptions
+{
+    double lambda = 0.0; // 0 interpolates, as the published runs did
+    bool withWrapPrior =
+        false; // start also from rough normals of the wrap of the points, as the pipeline does
+};
+
+/// The fit to  points, contoured in their box enlarged by a tenth of the diagonal on a grid of 100 cells
+/// along its longest side, as the published runs were. The cost of the wrap is not counted. Fails as
+/// wrapStrokes, fitVariational and contourFromSeeds do.
+Result<ZeroSet> fittedZeroSet(const std::vector<Vec3> &points, const ZeroSetOptions &options);
 
 /// In % of the diagonal of the points' box.
 struct DistanceSpread

@@ -1,6 +1,7 @@
-#include "benchmarks/surfacing/energy_spread.h"
-
+// Section "sweeps-starts": how much the energy of the segmentation (Eq. III.1) depends on its random start:
+// single runs and the best of ten, with the thesis' first models and with weaker ones (Fig. III.10).
 #include "benchmarks/report/table.h"
+#include "benchmarks/surfacing/swept_solids.h"
 #include "strokes/resample.h"
 #include "support/sketch_synthesis.h"
 #include "surfacing/pipeline/surface_pipeline.h"
@@ -78,12 +79,12 @@ void addBestOfRuns(const std::string &name, const Prepared &task, SegmentationOp
 
 } // namespace
 
-SectionReport energySpread(const BenchmarkContext &context, const std::vector<Solid> &solids)
+SectionReport runStartSweeps(const BenchmarkContext &context)
 {
     Table table(context.out,
                 "SWEEPS: energy of the segmentation over random starts; spread = (highest - lowest) / lowest",
                 columns);
-    for (const Solid &solid : solids) {
+    for (const Solid &solid : sweptSolids(context)) {
         const Result<Prepared> task = prepared(solid);
         if (!task) {
             table.addFailure(solid.id, task.error().message());
