@@ -40,7 +40,7 @@ struct SurfaceTimings
     double total = 0.0;
 };
 
-struct DeviationStatistics // stroke samples to the surface, share of the sketch's box diagonal
+struct StrokeDeviationStatistics // stroke samples to the surface, share of the sketch's box diagonal
 {
     double median = 0.0, mean = 0.0, p95 = 0.0, max = 0.0;
 };
@@ -58,7 +58,7 @@ struct SurfaceResult
     std::vector<SurfaceRegion> regions;         // one a surface model and side of the symmetry plane
     std::vector<std::vector<int>> featureLines; // creases: polylines of vertex indices
     std::vector<double> strokeDeviation;        // largest of each stroke, share of the diagonal; -1 if not used
-    DeviationStatistics deviation;
+    StrokeDeviationStatistics deviation;
     std::optional<SymmetryProposal> symmetry;   // the plane used, input coordinates
     Proxy proxy;                                // input coordinates
     Segmentation segmentation;                  // on the (half) proxy, unit frame
