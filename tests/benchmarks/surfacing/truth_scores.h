@@ -1,7 +1,4 @@
 // All that tests/support can say about a result whose truth is known, in one structure.
-//
-// Kept apart from the pipeline's headers: tests/support/evaluation.h and pipeline/surface_pipeline.h both
-// name a type DeviationStatistics and cannot be included together.
 #pragma once
 
 #include "base/result.h"
