@@ -188,9 +188,11 @@ private:
     static QCommandLineOption option(const char *name, const char *description, const char *value = "",
                                      const char *defaultValue = "")
     {
-        return QCommandLineOption(QString::fromLatin1(name).split(QLatin1Char('/')),
-                                  QString::fromUtf8(description), QString::fromLatin1(value),
-                                  QString::fromLatin1(defaultValue));
+        QString text = QString::fromUtf8(description);
+        if (*defaultValue) // Qt's help leaves them out
+            text += QStringLiteral(" Default: %1.").arg(QString::fromLatin1(defaultValue));
+        return QCommandLineOption(QString::fromLatin1(name).split(QLatin1Char('/')), text,
+                                  QString::fromLatin1(value), QString::fromLatin1(defaultValue));
     }
 
     QCommandLineParser mParser;
