@@ -29,6 +29,7 @@ class HalfMeshTest : public QObject
 private slots:
     void cutsAlongThePlaneExactly();
     void halvesMakeAWhole();
+    void verticesInThePlaneMakeNoFlaps();
     void meshOnTheKeptSideStaysWhole();
     void flagsOnlyBorderVerticesInThePlane();
     void weldsToAClosedSymmetricMesh();
@@ -55,6 +56,24 @@ void HalfMeshTest::halvesMakeAWhole()
     // A cap of the unit sphere has the area 2 pi h.
     const double cap = 2.0 * std::numbers::pi * (1.0 - oblique.offset);
     QVERIFY(std::abs(surfaceArea(keptHalf(mesh, oblique)) / cap - 1.0) < 5e-3);
+}
+
+void HalfMeshTest::verticesInThePlaneMakeNoFlaps()
+{
+    // The icosphere has whole rings of vertices exactly in the coordinate planes.
+    for (int axis = 0; axis < 3; ++axis) {
+        const SymmetryPlane plane{Vec3::Unit(axis), 0.0};
+        const TriangleMesh mesh = zoo::icosphere(2);
+        const TriangleMesh half = keptHalf(mesh, plane);
+        for (const Triangle &t : half.triangles) {
+            double farthest = 0.0;
+            for (int v : t)
+                farthest = std::max(farthest, plane.signedDistance(half.vertices[v]));
+            QVERIFY2(farthest > 1e-9, "a triangle lies in the mirror plane");
+        }
+        QVERIFY(std::abs(surfaceArea(half) / surfaceArea(mesh) - 0.5) < 1e-9);
+        QVERIFY(isBorderExactlyInPlane(half, plane));
+    }
 }
 
 void HalfMeshTest::meshOnTheKeptSideStaysWhole()

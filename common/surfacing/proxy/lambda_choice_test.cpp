@@ -63,9 +63,11 @@ void LambdaChoiceTest::cleanStrokesNeedTheLeast()
 
 void LambdaChoiceTest::strokesThatMissEachOtherNeedMore()
 {
-    const double clean = chosen(0.0, few()), drawn = chosen(0.02, few());
-    QVERIFY2(drawn > 5.0 * clean, qPrintable(QString::number(drawn)));
-    QVERIFY(drawn <= few().lambdas.back() * (1 + 1e-12));
+    LambdaChoiceOptions options;
+    options.points = 240;
+    const double clean = chosen(0.0, options, true), drawn = chosen(0.02, options, true);
+    QVERIFY2(drawn > 50.0 * clean, qPrintable(QString::number(drawn)));
+    QVERIFY(drawn <= options.lambdas.back() * (1 + 1e-12));
 }
 
 void LambdaChoiceTest::intricateShapesTakeTheLargestWithinTheNoise()

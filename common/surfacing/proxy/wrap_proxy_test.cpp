@@ -124,7 +124,7 @@ void WrapProxyTest::tightnessPicksTheBall()
 
 void WrapProxyTest::tighterStrokesAllowTighterWraps()
 {
-    const Wrap sparse = wrapped(wireCube(0)), dense = wrapped(wireCube(4));
+    const Wrap sparse = wrapped(wireCube(1)), dense = wrapped(wireCube(4));
     QVERIFY(dense.alpha < sparse.alpha);
     QVERIFY(!sparse.isShell && !dense.isShell);
 }

@@ -73,13 +73,23 @@ void InitialModelsTest::oneModelAClusterThatHasPoints()
 {
     SegmentationOptions options;
     options.clusterCounts = {3, 6};
-    options.maxDegree = 3;
+    options.initialDegrees = {3};
     const std::vector<ImplicitPolynomial> models = modelsOf(Roof(), options, 1);
     QVERIFY(models.size() >= 4 && models.size() <= 9);
     for (const ImplicitPolynomial &m : models) {
         QCOMPARE(m.degree, 3);
         QVERIFY(m.theta.allFinite());
     }
+    // Every degree asked for is fitted to every cluster, none above the limit.
+    options.initialDegrees = {1, 4};
+    options.maxDegree = 2;
+    int planes = 0, quadrics = 0;
+    for (const ImplicitPolynomial &m : modelsOf(Roof(), options, 1)) {
+        planes += m.degree == 1;
+        quadrics += m.degree == 2;
+    }
+    QCOMPARE(planes, int(models.size()));
+    QCOMPARE(quadrics, int(models.size()));
 }
 
 void InitialModelsTest::twoClustersPartAtTheCrease()
@@ -87,6 +97,7 @@ void InitialModelsTest::twoClustersPartAtTheCrease()
     const Roof roof;
     SegmentationOptions options;
     options.clusterCounts = {2};
+    options.initialDegrees = {4};
     const std::vector<ImplicitPolynomial> models = modelsOf(roof, options, 1);
     QCOMPARE(models.size(), std::size_t(2));
     // Each slope is explained by one of the two.

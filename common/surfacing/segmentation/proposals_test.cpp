@@ -70,20 +70,21 @@ class ProposalsTest : public QObject
 {
     Q_OBJECT
 private slots:
-    void regionsWithOneDegreeLess();
+    void regionsWithLowerDegrees();
     void mergesAcrossTheHeaviestBorderFirst();
     void triesEachMergeOnce();
     void distantRegionsAreNotMerged();
     void noMergesWhenNoneAreAsked();
 };
 
-void ProposalsTest::regionsWithOneDegreeLess()
+void ProposalsTest::regionsWithLowerDegrees()
 {
     const Stripes s;
     TriedMerges tried;
     const auto proposed = proposeModels(s.association, s.topology, s.labels, s.models, s.options, tried);
     QVERIFY(contains(proposed, s.fit({0}, 2)));
     QVERIFY(contains(proposed, s.fit({2}, 1)));
+    QVERIFY(!contains(proposed, s.fit({0}, 3))); // what it is already
     for (const ImplicitPolynomial &m : proposed)
         QVERIFY(m.degree >= 1 && m.degree <= s.options.maxDegree);
 }
@@ -127,7 +128,10 @@ void ProposalsTest::noMergesWhenNoneAreAsked()
     s.options.mergesPerIteration = 0;
     TriedMerges tried;
     const auto proposed = proposeModels(s.association, s.topology, s.labels, s.models, s.options, tried);
-    QCOMPARE(proposed.size(), std::size_t(2)); // the plane has no lower degree
+    for (const std::vector<int> &regions : {std::vector<int>{0, 1}, {1, 2}, {0, 2}})
+        QVERIFY(!containsUnion(s, proposed, regions));
+    for (int degree = 1; degree <= maxPolynomialDegree; ++degree)
+        QVERIFY(!contains(proposed, s.fit({1}, degree))); // a plane has no lower degree
 }
 
 QTEST_APPLESS_MAIN(ProposalsTest)
