@@ -83,6 +83,8 @@ Strokes moved(Strokes strokes, double scale, const Vec3 &shift)
 void DegenerateSketchTest::isSurfacedOrRefusedWithAReason_data()
 {
     QTest::addColumn<QByteArray>("sketch");
+    QTest::newRow("on one line") << curves({{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}, {{-3, -3, -3}, {5, 5, 5}}});
+    QTest::newRow("one straight stroke") << curves({{{0, 0, 0}, {1, 0, 0}}});
     QTest::newRow("in one plane") << curves(inPlane());
     QTest::newRow("two strokes, one plane") << curves({circle(1.0, 0.0), circle(0.5, 0.0)});
     QTest::newRow("two strokes") << curves({circle(1.0, 0.0), circle(0.7, 1.0)});
@@ -111,7 +113,12 @@ void DegenerateSketchTest::isSurfacedOrRefusedWithAReason()
     QVERIFY2(!run.crashed && !run.hung, run.told().constData());
     qInfo("exit code %d after %.1f s; %s", run.exitCode, run.seconds,
           run.messages().isEmpty() ? "" : qPrintable(run.messages().last()));
+    const QString row = QString::fromLatin1(QTest::currentDataTag());
+    QVERIFY2(run.exitCode == 1 || row != "on one line", "a line has no surface");
     if (run.exitCode == 0) {
+        // A flat sketch makes a pancake that is attracted through itself; the engine has to refuse it or stay
+        // flat.
+        QEXPECT_FAIL("in one plane", "known: flat sketches come out inside out", Continue);
         QCOMPARE(faultOfMesh(meshOf(out)), QString());
     } else {
         const QString fault = faultOfRefusal(run, {"odd.curves", "failed: "}, folder.path(), {"odd.curves"});

@@ -116,7 +116,11 @@ void GivenProxyTest::sickOneIsMendedOrRefused()
     const bool mustSucceed = mesh == "inside out" || mesh == "soup"; // both say clearly what is meant
     QVERIFY2(run.exitCode == 0 || !mustSucceed, run.told().constData());
     if (run.exitCode == 0) {
-        QCOMPARE(faultOfMesh(meshOf(folder.filePath("out.obj"))), QString());
+        const TriangleMesh result = meshOf(folder.filePath("out.obj"));
+        QCOMPARE(faultOfMesh(result), QString());
+        QVERIFY2(faultOfFit(strokes, result, 3.5).isEmpty() ||
+                     run.messages().join('\n').contains("does not follow the strokes"),
+                 run.told().constData());
         QVERIFY2(mesh != "far away",
                  "strokes and proxy have nothing to do with each other, and that was not said");
     } else {

@@ -5,6 +5,7 @@
 #include "formats/mesh_file.h"
 #include "formats/png_file.h"
 #include "formats/sketch_file.h"
+#include "geometry/remesh.h"
 #include "sketchsurfacer/cli/result_picture.h"
 #include "sketchsurfacer/cli/surface_arguments.h"
 #include "sketchsurfacer/cli/surface_report.h"
@@ -17,6 +18,10 @@
 namespace ductus {
 
 namespace {
+
+// Median distance of strokes to the surface, share of the diagonal, above which the result is surely not what
+// was meant: ten times what sketches of people have.
+constexpr double notFollowed = 0.03;
 
 constexpr char writingMesh[] = "Writing the mesh";
 constexpr char writingReport[] = "Writing the report";
@@ -70,6 +75,51 @@ Result<void> checkIsSketch(const SketchFile &sketch, const std::filesystem::path
                      " points do not follow one another: a cloud of points and not drawn strokes",
                  "Give the points of each stroke in drawing order, with a blank line between strokes",
                  path.string()};
+}
+
+// However many strokes there are: without width there is no side for a surface to be on.
+Result<void> checkHasWidth(const StrokeSet &strokes, const std::filesystem::path &path)
+{
+    std::vector<Vec3> points;
+    for (const Stroke &stroke : strokes.strokes)
+        if (stroke.role == StrokeRole::Surface || stroke.role == StrokeRole::Boundary)
+            points.insert(points.end(), stroke.points.begin(), stroke.points.end());
+    const Box3 box = boundingBox(points);
+    if (points.empty() || !(box.diagonal() > 0.0))
+        return {}; // too little of anything; the engine says so
+    Vec3 farthest = points.front();
+    for (const Vec3 &p : points)
+        if ((p - points.front()).norm() > (farthest - points.front()).norm())
+            farthest = p;
+    const Vec3 along = (farthest - points.front()).normalized();
+    for (const Vec3 &p : points)
+        if ((p - points.front()).cross(along).norm() > 1e-6 * box.diagonal())
+            return {};
+    return Error{ErrorCode::TooLittleData, "Surfacing the sketch", "all strokes lie on one straight line",
+                 "Draw strokes that go around the shape", path.string()};
+}
+
+// Repaired here and not only in the engine, so that an error names the file it is about.
+Result<TriangleMesh> readProxy(const std::filesystem::path &path, const JobControl &control)
+{
+    const Result<TriangleMesh> mesh = readMesh(path, control);
+    if (!mesh)
+        return mesh;
+    RepairReport report;
+    Result<TriangleMesh> sound = repaired(*mesh, &report);
+    if (!sound) {
+        Error error = sound.error();
+        error.place = path.string();
+        return error;
+    }
+    const auto warn = [&](const char *text) {
+        std::fprintf(stderr, "sketchsurfacer: %s: %s\n", path.string().c_str(), text);
+    };
+    if (report.splitVertices > 0)
+        warn("the proxy is not a manifold; it was cut where sheets touch or branch");
+    if (report.selfIntersecting)
+        warn("the proxy cuts through itself; the surface may do so too");
+    return sound;
 }
 
 // All files asked for, or none of them.
@@ -135,9 +185,11 @@ ExitCode run(SurfaceArguments &a, TerminalJob &job)
           setRoles(sketch->strokes, a.ignoredStrokes, StrokeRole::Ignored, "--ignore")})
         if (!chosen)
             return fail(job, chosen.error());
+    if (Result<void> hasWidth = checkHasWidth(sketch->strokes, a.input); !hasWidth)
+        return fail(job, hasWidth.error());
     std::optional<TriangleMesh> proxy;
     if (!a.proxy.empty()) {
-        Result<TriangleMesh> mesh = readMesh(a.proxy, control);
+        Result<TriangleMesh> mesh = readProxy(a.proxy, control);
         if (!mesh)
             return fail(job, mesh.error());
         proxy = std::move(*mesh);
@@ -160,6 +212,14 @@ ExitCode run(SurfaceArguments &a, TerminalJob &job)
     job.finishLine();
     for (const std::string &warning : result->warnings)
         std::fprintf(stderr, "sketchsurfacer: %s\n", warning.c_str());
+    if (result->deviation.median > notFollowed)
+        std::fprintf(stderr,
+                     "sketchsurfacer: The surface does not follow the strokes: half of them lie farther than "
+                     "%.1f %% of "
+                     "the diagonal from it. %s\n",
+                     100 * result->deviation.median,
+                     a.proxy.empty() ? "A proxy mesh of your own (--proxy) may help."
+                                     : "The proxy may have another shape, place or scale than the sketch.");
     if (!a.quiet)
         std::fprintf(stderr, "%s: %s\n", a.output.string().c_str(), summary(*result).c_str());
     return ExitCode::Done;
