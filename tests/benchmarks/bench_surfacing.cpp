@@ -102,6 +102,13 @@ int main(int argc, char **argv)
         printUsage(std::cout);
         return 0;
     }
+    // Told before the measuring, which may take an hour.
+    if (const auto folder = std::filesystem::absolute(arguments.json).parent_path();
+        !arguments.json.empty() && !std::filesystem::is_directory(folder)) {
+        std::cerr << "bench_surfacing: " << arguments.json
+                  << ": Writing the report failed: there is no such folder\n";
+        return 1;
+    }
     const int runs = arguments.runs > 0 ? arguments.runs : arguments.quick ? 1 : 0;
     const BenchmarkContext context{
         std::cout,         arguments.quick, arguments.solids, runs, std::uint64_t(arguments.seed),

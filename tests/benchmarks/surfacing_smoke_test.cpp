@@ -18,7 +18,7 @@ Outcome runBench(const QStringList &arguments)
 {
     QProcess process;
     process.start(DUCTUS_BENCH_SURFACING, arguments);
-    if (!process.waitForFinished(280'000)) {
+    if (!process.waitForFinished(550'000 /* a busy machine */)) {
         process.kill();
         return {};
     }
@@ -36,7 +36,7 @@ private slots:
     void twoSolidsComeOutNearTheirTruth();
     void wrongUsageIsExplained_data();
     void wrongUsageIsExplained();
-    void aReportThatCannotBeWrittenFails();
+    void aReportWithoutAFolderFailsAtOnce();
 };
 
 void SurfacingSmokeTest::twoSolidsComeOutNearTheirTruth()
@@ -94,13 +94,14 @@ void SurfacingSmokeTest::wrongUsageIsExplained()
     QVERIFY(outcome.output.isEmpty());
 }
 
-void SurfacingSmokeTest::aReportThatCannotBeWrittenFails()
+void SurfacingSmokeTest::aReportWithoutAFolderFailsAtOnce()
 {
     QTemporaryDir folder;
     const QString file = folder.filePath("nowhere/report.json");
     const Outcome outcome = runBench({"--quick", "--only", "truth", "--solids", "torus", "--json", file});
     QCOMPARE(outcome.exitCode, 1);
     QVERIFY2(outcome.errors.contains("Writing the report failed"), outcome.errors.constData());
+    QVERIFY(outcome.output.isEmpty()); // before anything was measured
 }
 
 QTEST_APPLESS_MAIN(SurfacingSmokeTest)

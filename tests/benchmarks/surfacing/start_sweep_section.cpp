@@ -92,6 +92,8 @@ SectionReport runStartSweeps(const BenchmarkContext &context)
         }
         SegmentationOptions options;
         options.seed = context.seed;
+        if (context.runs > 0)
+            options.runs = context.runs;
         addSingleRuns(solid.id + ": single runs", *task, options, table);
         SegmentationOptions unboosted = options;
         unboosted.initialBoost = 1.0;
