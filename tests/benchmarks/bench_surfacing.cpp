@@ -88,6 +88,13 @@ std::optional<std::string> parse(int argc, char **argv, Arguments &arguments)
     return std::nullopt;
 }
 
+// True also for no file at all and for one in the folder the program was started in.
+bool folderExists(const std::filesystem::path &file)
+{
+    std::error_code failure;
+    return !file.has_parent_path() || std::filesystem::is_directory(file.parent_path(), failure);
+}
+
 } // namespace
 
 int main(int argc, char **argv)
@@ -103,8 +110,7 @@ int main(int argc, char **argv)
         return 0;
     }
     // Told before the measuring, which may take an hour.
-    if (const auto folder = std::filesystem::absolute(arguments.json).parent_path();
-        !arguments.json.empty() && !std::filesystem::is_directory(folder)) {
+    if (!folderExists(arguments.json)) {
         std::cerr << "bench_surfacing: " << arguments.json
                   << ": Writing the report failed: there is no such folder\n";
         return 1;

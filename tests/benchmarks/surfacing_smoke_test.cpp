@@ -37,6 +37,7 @@ private slots:
     void wrongUsageIsExplained_data();
     void wrongUsageIsExplained();
     void aReportWithoutAFolderFailsAtOnce();
+    void noReportIsNeeded();
 };
 
 void SurfacingSmokeTest::twoSolidsComeOutNearTheirTruth()
@@ -102,6 +103,14 @@ void SurfacingSmokeTest::aReportWithoutAFolderFailsAtOnce()
     QCOMPARE(outcome.exitCode, 1);
     QVERIFY2(outcome.errors.contains("Writing the report failed"), outcome.errors.constData());
     QVERIFY(outcome.output.isEmpty()); // before anything was measured
+}
+
+void SurfacingSmokeTest::noReportIsNeeded()
+{
+    // The sweeps leave out the torus, so that only their headings are printed.
+    const Outcome outcome = runBench({"--only", "sweeps", "--solids", "torus"});
+    QVERIFY2(outcome.exitCode == 0, outcome.errors.constData());
+    QCOMPARE(outcome.output.count("SWEEPS:"), 3);
 }
 
 QTEST_APPLESS_MAIN(SurfacingSmokeTest)
