@@ -25,10 +25,11 @@ class Optimizer
 {
 public:
     Optimizer(const SeamedMesh &seamed, const std::vector<ImplicitPolynomial> &models,
-              const std::vector<BorderAttraction> &borderTargets, const std::optional<SymmetryPlane> &plane,
-              const std::vector<char> &inPlane, const MeshOptimizationOptions &options)
-        : mSeamed(seamed), mModels(models), mBorderTargets(borderTargets), mPlane(plane), mInPlane(inPlane),
-          mOptions(options), mTopology(seamed.mesh), mX(seamed.mesh.vertexCount(), 3)
+              const std::vector<BorderAttraction> &borderTargets, const std::vector<double> &strokeDistance,
+              const std::optional<SymmetryPlane> &plane, const std::vector<char> &inPlane,
+              const MeshOptimizationOptions &options)
+        : mSeamed(seamed), mModels(models), mBorderTargets(borderTargets), mStrokeDistance(strokeDistance),
+          mPlane(plane), mInPlane(inPlane), mOptions(options), mTopology(seamed.mesh), mX(seamed.mesh.vertexCount(), 3)
     {
         for (int v = 0; v < seamed.mesh.vertexCount(); ++v)
             mX.row(v) = seamed.mesh.vertices[std::size_t(v)].transpose();
@@ -75,9 +76,26 @@ private:
         Eigen::SparseMatrix<double> preconditioner = mSmooth;
         // The projection acts along one of three directions; the mean of its eigenvalues is a third.
         for (Eigen::Index v = 0; v < mX.rows(); ++v)
-            preconditioner.coeffRef(v, v) += 1.0 / 3.0 + mOptions.damping;
+            preconditioner.coeffRef(v, v) += trust(std::size_t(v)) / 3.0 + mOptions.damping;
         const bool ok = mPreconditioner.factorize(preconditioner);
         DUCTUS_ASSERT(ok); // a sum of squares plus a positive diagonal
+    }
+
+    double trust(int label, std::size_t v) const
+    {
+        if (mStrokeDistance.empty() || mModels[std::size_t(label)].degree <= 2)
+            return 1.0;
+        const double ratio = mStrokeDistance[v] / mOptions.strokeReach;
+        return std::max(mOptions.leastTrust, std::exp(-ratio * ratio));
+    }
+
+    // Mean over the models of a vertex.
+    double trust(std::size_t v) const
+    {
+        double sum = 0.0;
+        for (int label : mSeamed.vertexLabels[v])
+            sum += trust(label, v) / double(mSeamed.vertexLabels[v].size());
+        return sum;
     }
 
     Projection project() const
@@ -92,7 +110,7 @@ private:
                 Vec3 n;
                 const double distance = mModels[std::size_t(label)].signedDistance(x, &n);
                 const double ratio = distance / mOptions.trustDistance;
-                const double weight = 1.0 / (double(labels.size()) * (1.0 + ratio * ratio));
+                const double weight = trust(label, v) / (double(labels.size()) * (1.0 + ratio * ratio));
                 p.hessian[v] += weight * n * n.transpose();
                 p.gradient.row(Eigen::Index(v)) += weight * distance * n.transpose();
             }
@@ -107,7 +125,7 @@ private:
     // In-plane vertices may not leave the symmetry plane: their steps lose the normal part.
     void constrain(Positions &x) const
     {
-        if (!mPlane)
+        if (!mPlane || mInPlane.empty())
             return;
         for (Eigen::Index v = 0; v < x.rows(); ++v)
             if (mInPlane[std::size_t(v)])
@@ -152,6 +170,7 @@ private:
     const SeamedMesh &mSeamed;
     const std::vector<ImplicitPolynomial> &mModels;
     const std::vector<BorderAttraction> &mBorderTargets;
+    const std::vector<double> &mStrokeDistance;
     const std::optional<SymmetryPlane> &mPlane;
     const std::vector<char> &mInPlane;
     const MeshOptimizationOptions &mOptions;
@@ -166,10 +185,11 @@ private:
 
 Result<OptimizedMesh> optimizeMesh(const SeamedMesh &seamed, const std::vector<ImplicitPolynomial> &models,
                                    const std::vector<BorderAttraction> &borderTargets,
+                                   const std::vector<double> &strokeDistance,
                                    const std::optional<SymmetryPlane> &plane, const std::vector<char> &inPlane,
                                    const MeshOptimizationOptions &options, const JobControl &control)
 {
-    return Optimizer(seamed, models, borderTargets, plane, inPlane, options).run(control);
+    return Optimizer(seamed, models, borderTargets, strokeDistance, plane, inPlane, options).run(control);
 }
 
 } // namespace ductus

@@ -26,11 +26,15 @@ struct MeshOptimizationOptions
     double seamSmoothness = 500.0;    // gamma_1D, Sec. III.5.4
     double smoothAngle = 0.39269908169872414; // pi/8: below, seams are smoothed over; Sec. III.5.4
     double sharpAngle = 1.0471975511965976;   // pi/3: above, seams are creases; Sec. III.5.4
-    int maxRounds = 15;               // of Gauss-Newton
+    int maxRounds = 10;               // of Gauss-Newton
     double stillness = 2e-5;          // ends when no vertex moves further, share of the diagonal
     double trustDistance = 0.03;      // a model further away than this pulls with falling weight: its level set
                                       // may be a stray sheet (share of the diagonal)
-    double damping = 0.02;            // Levenberg-Marquardt, on all directions
+    double strokeReach = 0.03;        // cubics and quartics are trusted near strokes only: their pull falls off as a
+                                      // Gaussian of this width, share of the diagonal (the thesis trusts them
+                                      // everywhere, and flat faces drawn by their outline bulge)
+    double leastTrust = 1e-5;         // of what is far from all strokes: smoothness decides there
+    double damping = 2e-3;            // Levenberg-Marquardt, on all directions
 };
 
 /// A vertex to be kept near a point (boundary strokes, Eq. III.12) or in a plane (symmetry).
@@ -47,10 +51,12 @@ struct OptimizedMesh
     int rounds = 0;
 };
 
+/// \a strokeDistance: of every vertex to the nearest stroke; empty: every model is trusted everywhere.
 /// With \a plane, border vertices that lie in it (flags \a inPlane, may be empty) stay in it, and the surface is
 /// smoothed as if its mirror image continued beyond.
 Result<OptimizedMesh> optimizeMesh(const SeamedMesh &seamed, const std::vector<ImplicitPolynomial> &models,
                                    const std::vector<BorderAttraction> &borderTargets,
+                                   const std::vector<double> &strokeDistance,
                                    const std::optional<SymmetryPlane> &plane, const std::vector<char> &inPlane,
                                    const MeshOptimizationOptions &options, const JobControl &control);
 

@@ -12,6 +12,9 @@ namespace ductus {
 std::vector<BorderAttraction> borderTargets(const TriangleMesh &mesh, const StrokeSet &strokes,
                                             const std::vector<char> &inPlane);
 
+/// Distance of every vertex to the nearest stroke point; at most \a farthest.
+std::vector<double> strokeDistances(const TriangleMesh &mesh, const StrokeSet &strokes, double farthest);
+
 void finishSurface(const StrokeSet &input, const UnitFrame &frame, const SeamedMesh &seamed,
                    const OptimizedMesh &optimized, const std::optional<SymmetryPlane> &plane,
                    const std::vector<char> &inPlane, const Association &association, const StrokeSet &unitStrokes,

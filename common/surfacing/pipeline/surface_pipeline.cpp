@@ -93,7 +93,8 @@ Result<SurfaceResult> surfaceSketch(const StrokeSet &input, const std::optional<
                                           strokeCutPositions(proxy->mesh, topology, *association));
     const std::vector<char> inPlane = plane ? verticesInPlane(seamed.mesh, *plane) : std::vector<char>();
     const Result<OptimizedMesh> optimized =
-        optimizeMesh(seamed, segmentation->models, borderTargets(seamed.mesh, strokes, inPlane), plane, inPlane,
+        optimizeMesh(seamed, segmentation->models, borderTargets(seamed.mesh, strokes, inPlane),
+                     strokeDistances(seamed.mesh, strokes, 1.0), plane, inPlane,
                      options.extraction, control.part(0.8, 1.0));
     if (!optimized)
         return optimized.error();

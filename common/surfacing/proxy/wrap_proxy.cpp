@@ -57,8 +57,9 @@ std::size_t tightestSolid(const std::vector<Candidate> &candidates, const WrapOp
     for (std::size_t i = 1; i < candidates.size(); ++i) {
         leastArea = std::min(leastArea, candidates[i].area);
         // Drawing back from a concavity loses volume too, but area with it.
-        const bool fellIn = candidates[i].volume < options.keptVolume * candidates[i - 1].volume &&
-                            candidates[i].area > 0.97 * candidates[i - 1].area;
+        const bool fellIn = candidates[i].volume < 0.5 * candidates[i - 1].volume ||
+                            (candidates[i].volume < options.keptVolume * candidates[i - 1].volume &&
+                             candidates[i].area > 0.97 * candidates[i - 1].area);
         if (fellIn || candidates[i].area > options.areaGrowth * leastArea ||
             candidates[i].components > candidates[0].components)
             break;
