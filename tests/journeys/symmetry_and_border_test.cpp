@@ -124,14 +124,17 @@ void SymmetryAndBorderTest::symmetricSketchGivesAMirroredMesh()
         normal.normalize();
     }
     const double diagonal = boundingBox(mesh.vertices).diagonal();
-    const Places places(mesh, tolerance * diagonal);
+    const Places exactly(mesh, 1e-9 * diagonal), nearly(mesh, tolerance * diagonal);
     std::vector<int> image(mesh.vertices.size(), -1);
     for (int v = 0; v < mesh.vertexCount(); ++v) {
         const Vec3 &p = mesh.vertices[std::size_t(v)];
-        QVERIFY2(places.near(p).size() == 1, "two vertices at one place: not welded");
-        const std::vector<int> twins = places.near(p - 2.0 * (normal.dot(p) - offset) * normal);
-        QVERIFY2(twins.size() == 1, "a vertex without mirror image");
-        image[std::size_t(v)] = twins.front();
+        QVERIFY2(exactly.near(p).size() == 1, "two vertices at one place: not welded");
+        const Vec3 mirrored = p - 2.0 * (normal.dot(p) - offset) * normal;
+        const auto distance = [&](int u) { return (mesh.vertices[std::size_t(u)] - mirrored).norm(); };
+        const std::vector<int> twins = nearly.near(mirrored);
+        QVERIFY2(!twins.empty(), "a vertex without mirror image");
+        image[std::size_t(v)] = *std::min_element(twins.begin(), twins.end(),
+                                                  [&](int a, int b) { return distance(a) < distance(b); });
     }
     const auto turned = [](Triangle t) { // the same triangle begins with its smallest corner
         std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
