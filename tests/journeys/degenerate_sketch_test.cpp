@@ -116,9 +116,6 @@ void DegenerateSketchTest::isSurfacedOrRefusedWithAReason()
     const QString row = QString::fromLatin1(QTest::currentDataTag());
     QVERIFY2(run.exitCode == 1 || row != "on one line", "a line has no surface");
     if (run.exitCode == 0) {
-        // A flat sketch makes a pancake that is attracted through itself; the engine has to refuse it or stay
-        // flat.
-        QEXPECT_FAIL("in one plane", "known: flat sketches come out inside out", Continue);
         QCOMPARE(faultOfMesh(meshOf(out)), QString());
     } else {
         const QString fault = faultOfRefusal(run, {"odd.curves", "failed: "}, folder.path(), {"odd.curves"});

@@ -171,6 +171,9 @@ Result<Proxy> makeProxy(const StrokeSet &strokes, const ProxyOptions &options, c
     if (points.size() < 8)
         return Error{ErrorCode::TooLittleData, "Making a proxy", "the sketch has too few strokes for a surface",
                      "Draw more strokes, or give a proxy mesh", ""};
+    if (isFlat(points))
+        return Error{ErrorCode::NoSolution, "Making a proxy", "all strokes lie in one plane",
+                     "Draw strokes in depth, or give a proxy mesh", ""};
     Result<Wrap> wrap = wrapStrokes(points, options.wrap, control.part(0.0, 0.2));
     if (!wrap)
         return wrap.error();

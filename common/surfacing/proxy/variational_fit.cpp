@@ -68,17 +68,6 @@ void eliminateValues(Covariance &cov)
     cov.S.triangularView<Eigen::StrictlyUpper>() = cov.S.transpose();
 }
 
-bool isFlat(const std::vector<Vec3> &points)
-{
-    Vec3 mean = Vec3::Zero();
-    for (const Vec3 &p : points)
-        mean += p / double(points.size());
-    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-    for (const Vec3 &p : points)
-        spread += (p - mean) * (p - mean).transpose() / double(points.size());
-    return std::sqrt(std::max(0.0, Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvalues()[0])) < 1e-4;
-}
-
 Eigen::VectorXd normalisedPerPoint(const Eigen::VectorXd &g)
 {
     const Eigen::Index n = g.size() / 3;
@@ -105,6 +94,17 @@ std::optional<Eigen::VectorXd> eigenStart(const Eigen::MatrixXd &S)
 }
 
 } // namespace
+
+bool isFlat(const std::vector<Vec3> &points)
+{
+    Vec3 mean = Vec3::Zero();
+    for (const Vec3 &p : points)
+        mean += p / double(points.size());
+    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+    for (const Vec3 &p : points)
+        spread += (p - mean) * (p - mean).transpose() / double(points.size());
+    return std::sqrt(std::max(0.0, Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvalues()[0])) < 1e-4;
+}
 
 Result<VariationalFit> fitVariational(const std::vector<Vec3> &points, const std::vector<Vec3> &priorNormals,
                                       const VariationalFitOptions &options, const JobControl &control)

@@ -33,6 +33,9 @@ struct VariationalFit
     int winningStart = 0;  // 0: eigenvector, 1: prior
 };
 
+/// True if all points lie in one plane, to within a ten-thousandth of the unit frame: no field can tell its sides.
+bool isFlat(const std::vector<Vec3> &points);
+
 /// \a points: distinct, not all in one plane (else NoSolution). \a priorNormals: rough outward directions, one a
 /// point, or empty. Memory about 120 n^2 bytes.
 Result<VariationalFit> fitVariational(const std::vector<Vec3> &points, const std::vector<Vec3> &priorNormals,
