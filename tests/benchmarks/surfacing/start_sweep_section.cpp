@@ -16,7 +16,7 @@ namespace {
 constexpr int seeds = 10;
 
 const std::vector<Column> columns{
-    {"case", "case", 46},       {"samples", "samples", 7},    {"lowest", "lowest", 8, 4},
+    {"case", "case", 54},       {"samples", "samples", 7},    {"lowest", "lowest", 8, 4},
     {"median", "median", 8, 4}, {"highest", "highest", 8, 4}, {"spreadPercent", "spread %", 8, 1},
 };
 
