@@ -29,7 +29,8 @@ public:
               const std::optional<SymmetryPlane> &plane, const std::vector<char> &inPlane,
               const MeshOptimizationOptions &options)
         : mSeamed(seamed), mModels(models), mBorderTargets(borderTargets), mStrokeDistance(strokeDistance),
-          mPlane(plane), mInPlane(inPlane), mOptions(options), mTopology(seamed.mesh), mX(seamed.mesh.vertexCount(), 3)
+          mPlane(plane), mInPlane(inPlane), mOptions(options), mTopology(seamed.mesh),
+          mStartNormals(vertexNormals(seamed.mesh)), mX(seamed.mesh.vertexCount(), 3)
     {
         for (int v = 0; v < seamed.mesh.vertexCount(); ++v)
             mX.row(v) = seamed.mesh.vertices[std::size_t(v)].transpose();
@@ -76,7 +77,8 @@ private:
         Eigen::SparseMatrix<double> preconditioner = mSmooth;
         // The projection acts along one of three directions; the mean of its eigenvalues is a third.
         for (Eigen::Index v = 0; v < mX.rows(); ++v)
-            preconditioner.coeffRef(v, v) += trust(std::size_t(v)) / 3.0 + mOptions.damping;
+            preconditioner.coeffRef(v, v) +=
+                trust(std::size_t(v)) / 3.0 + 2.0 * mOptions.sliding / 3.0 + mOptions.damping;
         const bool ok = mPreconditioner.factorize(preconditioner);
         DUCTUS_ASSERT(ok); // a sum of squares plus a positive diagonal
     }
@@ -106,6 +108,10 @@ private:
         parallelFor(0, std::size_t(mX.rows()), [&](std::size_t v) {
             const Vec3 x = mX.row(Eigen::Index(v)).transpose();
             const std::vector<int> &labels = mSeamed.vertexLabels[v];
+            const Eigen::Matrix3d along =
+                mOptions.sliding * (Eigen::Matrix3d::Identity() - mStartNormals[v] * mStartNormals[v].transpose());
+            p.hessian[v] += along;
+            p.gradient.row(Eigen::Index(v)) += (along * (x - mSeamed.mesh.vertices[v])).transpose();
             for (int label : labels) {
                 Vec3 n;
                 const double distance = mModels[std::size_t(label)].signedDistance(x, &n);
@@ -175,6 +181,7 @@ private:
     const std::vector<char> &mInPlane;
     const MeshOptimizationOptions &mOptions;
     MeshTopology mTopology;
+    std::vector<Vec3> mStartNormals;
     Positions mX;
     std::vector<double> mWeights;
     Eigen::SparseMatrix<double> mSmooth;

@@ -34,6 +34,8 @@ struct MeshOptimizationOptions
                                       // Gaussian of this width, share of the diagonal (the thesis trusts them
                                       // everywhere, and flat faces drawn by their outline bulge)
     double leastTrust = 1e-5;         // of what is far from all strokes: smoothness decides there
+    double sliding = 0.1;             // pull back to the start, along the surface only: nothing else keeps a cap from
+                                      // slipping off the round end of a model and shrinking
     double damping = 2e-3;            // Levenberg-Marquardt, on all directions
 };
 
