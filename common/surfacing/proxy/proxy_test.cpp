@@ -100,7 +100,7 @@ private slots:
     void ignoredStrokesDoNotCount();
     void sameSketchSameProxy();
     void tooFewStrokesAreRefused();
-    void flatSketchStillGetsAProxy();
+    void flatSketchIsRefused();
     void givenMeshIsMadeEvenAndAttracted();
     void givenSoupIsRepaired();
     void givenNothingIsRefused();
@@ -217,17 +217,16 @@ void ProxyTest::tooFewStrokesAreRefused()
     }
 }
 
-void ProxyTest::flatSketchStillGetsAProxy()
+void ProxyTest::flatSketchIsRefused()
 {
     StrokeSet flat = sheetSketch();
     for (Stroke &stroke : flat.strokes)
         for (Vec3 &p : stroke.points)
             p.z() = 0.0;
-    const Proxy proxy = made(flat, smallOptions());
-    QVERIFY(manifoldReport(proxy.mesh).isManifold());
-    QVERIFY(proxy.mesh.triangleCount() > 100);
-    for (const Vec3 &p : proxy.mesh.vertices)
-        QVERIFY(p.allFinite());
+    const Result<Proxy> proxy = makeProxy(flat, smallOptions(), {});
+    QVERIFY(!proxy.ok());
+    QCOMPARE(proxy.error().code, ErrorCode::NoSolution);
+    QVERIFY(proxy.error().message().find("one plane") != std::string::npos);
 }
 
 void ProxyTest::givenMeshIsMadeEvenAndAttracted()
