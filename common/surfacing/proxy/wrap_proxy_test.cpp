@@ -65,6 +65,7 @@ class WrapProxyTest : public QObject
 {
     Q_OBJECT
 private slots:
+    void edgesAloneAreASolid();
     void cubeIsASolid();
     void netIsAShell();
     void wrapHoldsItsStrokes();
@@ -143,6 +144,15 @@ void WrapProxyTest::cancelled()
     const auto wrap = wrapStrokes(wireCube(1), {}, JobControl(&cancel, {}));
     QVERIFY(!wrap.ok());
     QVERIFY(wrap.error().isCancelled());
+}
+
+void WrapProxyTest::edgesAloneAreASolid()
+{
+    // Falling in through the faces of a wire cube loses volume and area alike.
+    const Wrap wrap = wrapped(wireCube(0));
+    QVERIFY(!wrap.isShell);
+    const double side = 1.0 / std::sqrt(3.0);
+    QVERIFY2(signedVolume(wrap.mesh) > 0.85 * side * side * side, "the wrap fell in");
 }
 
 QTEST_APPLESS_MAIN(WrapProxyTest)
