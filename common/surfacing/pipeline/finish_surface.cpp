@@ -13,23 +13,6 @@ namespace ductus {
 
 namespace {
 
-// Regions on the mirrored side are regions of their own unless they touch the plane.
-void mirrorRegions(const SeamedMesh &seamed, const std::vector<char> &inPlane, std::vector<int> &regions)
-{
-    std::vector<char> touches(regions.size() ? std::size_t(*std::max_element(regions.begin(), regions.end())) + 1 : 0);
-    for (std::size_t t = 0; t < seamed.mesh.triangles.size(); ++t)
-        for (int v : seamed.mesh.triangles[t])
-            if (inPlane[std::size_t(v)])
-                touches[std::size_t(seamed.triangleLabels[t])] = 1;
-    std::vector<int> image(touches.size());
-    int next = int(touches.size());
-    for (std::size_t a = 0; a < touches.size(); ++a)
-        image[a] = touches[a] ? int(a) : next++;
-    const std::size_t half = regions.size();
-    for (std::size_t t = 0; t < half; ++t)
-        regions.push_back(image[std::size_t(regions[t])]);
-}
-
 void measureDeviation(const StrokeSet &unitStrokes, const TriangleMesh &unitMesh, SurfaceResult &result)
 {
     const NearestOnMesh nearest(unitMesh);
@@ -61,6 +44,34 @@ void measureDeviation(const StrokeSet &unitStrokes, const TriangleMesh &unitMesh
 }
 
 } // namespace
+
+std::vector<int> wholeRegions(const SeamedMesh &seamed, bool isMirrored, const std::vector<char> &inPlane,
+                              int labelCount, std::vector<int> *labelOfRegion)
+{
+    std::vector<int> regions = seamed.triangleLabels;
+    std::vector<int> labels(std::size_t(labelCount), 0);
+    for (std::size_t a = 0; a < labels.size(); ++a)
+        labels[a] = int(a);
+    if (isMirrored) {
+        std::vector<char> touches(labels.size());
+        for (std::size_t t = 0; t < seamed.mesh.triangles.size(); ++t)
+            for (int v : seamed.mesh.triangles[t])
+                if (inPlane[std::size_t(v)])
+                    touches[std::size_t(seamed.triangleLabels[t])] = 1;
+        std::vector<int> image(touches.size());
+        for (std::size_t a = 0; a < touches.size(); ++a) {
+            image[a] = touches[a] ? int(a) : int(labels.size());
+            if (!touches[a])
+                labels.push_back(int(a));
+        }
+        const std::size_t half = regions.size();
+        for (std::size_t t = 0; t < half; ++t)
+            regions.push_back(image[std::size_t(regions[t])]);
+    }
+    if (labelOfRegion)
+        *labelOfRegion = std::move(labels);
+    return regions;
+}
 
 std::vector<BorderAttraction> borderTargets(const TriangleMesh &mesh, const StrokeSet &strokes,
                                             const std::vector<char> &inPlane)
@@ -110,12 +121,12 @@ void finishSurface(const StrokeSet &input, const UnitFrame &frame, const SeamedM
                    const std::vector<char> &inPlane, const Association &association, const StrokeSet &unitStrokes,
                    SurfaceResult &result)
 {
-    result.triangleRegions = seamed.triangleLabels;
+    result.triangleRegions =
+        wholeRegions(seamed, plane.has_value(), inPlane, int(result.segmentation.models.size()));
     result.featureLines = featureLines(seamed, optimized.seamSharpness);
     TriangleMesh unitMesh = optimized.mesh;
     if (plane) {
         MirroredMesh whole = withMirrorImage(optimized.mesh, *plane, inPlane);
-        mirrorRegions(seamed, inPlane, result.triangleRegions);
         const std::size_t half = result.featureLines.size();
         for (std::size_t i = 0; i < half; ++i) {
             std::vector<int> image;

@@ -2,8 +2,9 @@
 // regions, creases and deviations.
 #pragma once
 
-#include "surfacing/extraction/seam_insertion.h"
-#include "surfacing/pipeline/surface_pipeline.h"
+#include "surfacing/association/association.h"
+#include "surfacing/extraction/mesh_optimization.h"
+#include "surfacing/pipeline/surface_result.h"
 #include "surfacing/sketch/unit_frame.h"
 
 namespace ductus {
@@ -14,6 +15,11 @@ std::vector<BorderAttraction> borderTargets(const TriangleMesh &mesh, const Stro
 
 /// Distance of every vertex to the nearest stroke point; at most \a farthest.
 std::vector<double> strokeDistances(const TriangleMesh &mesh, const StrokeSet &strokes, double farthest);
+
+/// Regions of the whole mesh, one a triangle, from the labels of its (half) mesh: those of the mirrored side are
+/// regions of their own unless they touch the plane. \a labelOfRegion receives one label a region.
+std::vector<int> wholeRegions(const SeamedMesh &seamed, bool isMirrored, const std::vector<char> &inPlane,
+                              int labelCount, std::vector<int> *labelOfRegion = nullptr);
 
 void finishSurface(const StrokeSet &input, const UnitFrame &frame, const SeamedMesh &seamed,
                    const OptimizedMesh &optimized, const std::optional<SymmetryPlane> &plane,

@@ -1,0 +1,100 @@
+#include "surfacing/pipeline/preparation.h"
+
+#include "strokes/resample.h"
+#include "surfacing/extraction/half_mesh.h"
+#include "surfacing/pipeline/stopwatch.h"
+
+namespace ductus {
+
+namespace {
+
+// Even steps, so that associations and fits see strokes and not the sampling of the drawing program.
+StrokeSet evenStrokes(StrokeSet strokes, double step)
+{
+    for (Stroke &stroke : strokes.strokes)
+        stroke = resampled(stroke, step);
+    return strokes;
+}
+
+} // namespace
+
+void prepareSketch(SurfacingState &state, const StrokeSet &strokes)
+{
+    Stopwatch watch;
+    const SurfaceOptions &options = state.options;
+    auto sketch = std::make_shared<PreparedSketch>();
+    sketch->input = strokes;
+    sketch->frame = unitFrameOf(strokes);
+    sketch->strokes = evenStrokes(inUnitFrame(cleaned(strokes), sketch->frame), options.resamplingStep);
+    if (options.symmetry == SymmetryMode::Given)
+        sketch->plane = sketch->frame.unitFromInput(options.symmetryPlane);
+    if (options.symmetry == SymmetryMode::Auto) {
+        sketch->symmetry = detectSymmetry(sketch->strokes, options.symmetryDetection);
+        if (sketch->symmetry)
+            sketch->plane = sketch->symmetry->plane;
+        else
+            sketch->warnings.push_back("No mirror plane was found; the whole sketch is surfaced.");
+    }
+    if (sketch->plane) {
+        sketch->plane = towardsFullerSide(*sketch->plane, sketch->strokes);
+        sketch->strokes = keptHalf(sketch->strokes, *sketch->plane);
+    }
+    state.sketch = std::move(sketch);
+    state.timings.proxy = watch.lap();
+}
+
+Result<void> prepareProxy(SurfacingState &state, const std::optional<TriangleMesh> &givenProxy,
+                          const JobControl &control)
+{
+    Stopwatch watch;
+    const PreparedSketch &sketch = *state.sketch;
+    const StrokeSet whole = sketch.plane ? withMirrorImage(sketch.strokes, *sketch.plane) : sketch.strokes;
+    Result<Proxy> proxy = givenProxy ? proxyFromMesh(inUnitFrame(*givenProxy, sketch.frame), whole,
+                                                     state.options.proxy, control)
+                                     : makeProxy(whole, state.options.proxy, control);
+    if (!proxy)
+        return proxy.error();
+    if (sketch.plane)
+        proxy->mesh = keptHalf(proxy->mesh, *sketch.plane);
+    state.roughProxy = std::make_shared<const Proxy>(std::move(*proxy));
+    state.timings.proxy += watch.lap();
+    return {};
+}
+
+Result<void> prepareAssociation(SurfacingState &state, const JobControl &control)
+{
+    Stopwatch watch;
+    const PreparedSketch &sketch = *state.sketch;
+    const SurfaceOptions &options = state.options;
+    auto proxy = std::make_shared<const PreparedProxy>(*state.roughProxy);
+    Result<Association> association =
+        associate(sketch.strokes, proxy->proxy.mesh, proxy->topology, options.association, control);
+    if (!association)
+        return association.error();
+    if (proxy->proxy.isOpen) {
+        const TriangleMesh &mesh = proxy->proxy.mesh;
+        const std::vector<char> inPlane =
+            sketch.plane ? verticesInPlane(mesh, *sketch.plane) : std::vector<char>();
+        Result<TriangleMesh> inside =
+            trimmed(mesh, proxy->topology, *association, sketch.strokes, inPlane, options.trim, control);
+        if (!inside)
+            return inside.error();
+        Proxy cut = proxy->proxy;
+        cut.mesh = std::move(*inside);
+        proxy = std::make_shared<const PreparedProxy>(std::move(cut));
+        association =
+            associate(sketch.strokes, proxy->proxy.mesh, proxy->topology, options.association, control);
+        if (!association)
+            return association.error();
+    }
+    TriangleMesh whole = proxy->proxy.mesh;
+    if (sketch.plane)
+        whole = withMirrorImage(whole, *sketch.plane, verticesInPlane(whole, *sketch.plane)).mesh;
+    state.proxyInInput = std::make_shared<const TriangleMesh>(inInputFrame(whole, sketch.frame));
+    state.proxy = std::move(proxy);
+    state.association = std::make_shared<const Association>(std::move(*association));
+    state.timings.association = watch.lap();
+    return {};
+}
+
+} // namespace ductus

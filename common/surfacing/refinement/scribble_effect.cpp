@@ -1,0 +1,264 @@
+#include "surfacing/refinement/scribble_effect.h"
+
+#include "surfacing/refinement/scribble_path.h"
+#include "surfacing/segmentation/data_costs.h"
+
+#include <algorithm>
+#include <map>
+
+namespace ductus {
+
+namespace {
+
+// Against all other models on locked vertices: more than any energy there is, yet finite.
+constexpr double lockCost = 1e3;
+
+Error refusal(std::string problem, std::string remedy)
+{
+    return {ErrorCode::InvalidArgument, "Applying a scribble", std::move(problem), std::move(remedy), ""};
+}
+
+class EffectBuilder
+{
+public:
+    EffectBuilder(const ScribbleDomain &domain, const LabelSolution &before, const Scribble &scribble,
+                  const SegmentationOptions &options)
+        : mDomain(domain), mScribble(scribble), mOptions(options),
+          mPenalty(100.0 * options.epsilon * options.epsilon), // (10 epsilon)^2, Eq. III.13
+          mEffect{before.fit, before.constraints, before.vertexIsLocked}
+    {
+    }
+
+    Result<ScribbleEffect> build()
+    {
+        const Result<ScribblePath> path = layOnProxy(mDomain, mScribble.points);
+        if (!path)
+            return path.error();
+        for (int v : path->vertices)
+            if (!mEffect.vertexIsLocked[std::size_t(v)])
+                mTouched.push_back(v);
+        if (mTouched.empty())
+            return refusal("it lies in a locked region", "Remove the lock first");
+        switch (mScribble.kind) {
+        case ScribbleKind::NewRegion:
+            newRegion();
+            break;
+        case ScribbleKind::Merge:
+            merge();
+            break;
+        case ScribbleKind::Lock:
+            lock();
+            break;
+        case ScribbleKind::SetDegree:
+            if (mScribble.degree < 1 || mScribble.degree > maxPolynomialDegree)
+                return refusal("the degree is not one of 1 to 4",
+                               "Give a degree from 1 (plane) to 4 (quartic)");
+            setDegree();
+            break;
+        case ScribbleKind::Seam:
+        case ScribbleKind::ForbidSeam:
+        case ScribbleKind::Split:
+            return Error{ErrorCode::Unsupported, "Applying a scribble", "this kind is not known yet", "", ""};
+        }
+        return std::move(mEffect);
+    }
+
+private:
+    std::vector<int> &labels() { return mEffect.start.labels; }
+    int idAt(int vertex) { return mEffect.start.models[std::size_t(labels()[std::size_t(vertex)])].id; }
+
+    void newRegion()
+    {
+        forget(mTouched);
+        const int id = addModel(pointsNear(mTouched), mTouched, mScribble.degree);
+        want(mTouched, id, mPenalty);
+    }
+
+    // The thesis asks for the new model under the scribble only; here the regions it touched are not to come
+    // back anywhere in their parts, or slivers of them would stay between the strokes.
+    void merge()
+    {
+        std::vector<int> vertices;
+        std::map<int, std::vector<int>> partsOfId;
+        for (const std::vector<int> &part : touchedParts()) {
+            vertices.insert(vertices.end(), part.begin(), part.end());
+            std::vector<int> &of = partsOfId[idAt(part.front())];
+            of.insert(of.end(), part.begin(), part.end());
+        }
+        forget(vertices);
+        const int id = addModel(pointsOfVertices(vertices), vertices, mScribble.degree);
+        want(mTouched, id, mPenalty);
+        for (const auto &[old, part] : partsOfId)
+            for (int v : vertices)
+                mEffect.constraints.preferences.push_back({v, old, false, mPenalty});
+        relabel(vertices, id);
+    }
+
+    // The locked part gets a copy of its model that nobody else may take: so it neither shrinks nor grows.
+    void lock()
+    {
+        for (const std::vector<int> &part : touchedParts()) {
+            forget(part);
+            LabelModel copy = mEffect.start.models[std::size_t(labels()[std::size_t(part.front())])];
+            copy.id = mEffect.start.nextId++;
+            const int id = copy.id;
+            mEffect.start.models.push_back(std::move(copy));
+            mEffect.constraints.held.push_back({id, 0, true});
+            relabel(part, id);
+            want(part, id, lockCost);
+            for (std::size_t v = 0; v < labels().size(); ++v)
+                if (idAt(int(v)) != id)
+                    mEffect.constraints.preferences.push_back({int(v), id, false, lockCost});
+            for (int v : part)
+                mEffect.vertexIsLocked[std::size_t(v)] = 1;
+        }
+    }
+
+    void setDegree()
+    {
+        for (const std::vector<int> &part : touchedParts()) {
+            const int old = idAt(part.front());
+            forget(part);
+            const int id = addModel(pointsOfVertices(part), part, mScribble.degree);
+            for (int v : part)
+                mEffect.constraints.preferences.push_back({v, old, false, mPenalty});
+            std::vector<int> touched;
+            for (int v : mTouched)
+                if (std::binary_search(part.begin(), part.end(), v))
+                    touched.push_back(v);
+            relabel(part, id);
+            want(touched, id, mPenalty);
+        }
+    }
+
+    // Connected parts of regions with a touched vertex, each sorted; without locked vertices.
+    std::vector<std::vector<int>> touchedParts()
+    {
+        std::vector<char> seen = mEffect.vertexIsLocked;
+        std::vector<std::vector<int>> parts;
+        for (int start : mTouched) {
+            if (seen[std::size_t(start)])
+                continue;
+            const int label = labels()[std::size_t(start)];
+            std::vector<int> part{start};
+            seen[std::size_t(start)] = 1;
+            for (std::size_t next = 0; next < part.size(); ++next)
+                for (int e : mDomain.topology.vertexEdges[std::size_t(part[next])]) {
+                    const int w = mDomain.topology.neighbour(part[next], e);
+                    if (!seen[std::size_t(w)] && labels()[std::size_t(w)] == label) {
+                        seen[std::size_t(w)] = 1;
+                        part.push_back(w);
+                    }
+                }
+            std::sort(part.begin(), part.end());
+            parts.push_back(std::move(part));
+        }
+        return parts;
+    }
+
+    // What earlier scribbles wanted of these vertices no longer holds.
+    void forget(const std::vector<int> &vertices)
+    {
+        std::vector<char> gone(labels().size(), 0);
+        for (int v : vertices)
+            gone[std::size_t(v)] = 1;
+        // The last word counts, except on locks.
+        std::erase_if(mEffect.constraints.preferences, [&](const VertexPreference &p) {
+            return gone[std::size_t(p.vertex)] && p.cost < lockCost;
+        });
+    }
+
+    void want(const std::vector<int> &vertices, int id, double cost)
+    {
+        for (int v : vertices)
+            mEffect.constraints.preferences.push_back({v, id, true, cost});
+    }
+
+    void relabel(const std::vector<int> &vertices, int id)
+    {
+        const int label = mEffect.start.labelOf(id);
+        for (int v : vertices)
+            labels()[std::size_t(v)] = label;
+    }
+
+    std::vector<int> pointsOfVertices(const std::vector<int> &vertices) const
+    {
+        std::vector<char> flags(mDomain.association.pointsOfVertex.size(), 0);
+        for (int v : vertices)
+            flags[std::size_t(v)] = 1;
+        return pointsOf(mDomain.association, flags);
+    }
+
+    // Stroke points of the vertices; where a scribble runs between strokes, rings are added until there are
+    // some.
+    std::vector<int> pointsNear(const std::vector<int> &vertices) const
+    {
+        constexpr std::size_t enough = 12;
+        std::vector<char> seen(mDomain.association.pointsOfVertex.size(), 0);
+        std::vector<int> grown = vertices;
+        for (int v : grown)
+            seen[std::size_t(v)] = 1;
+        std::size_t ringBegin = 0;
+        for (int ring = 0; ring < 40; ++ring) {
+            std::vector<int> points = pointsOf(mDomain.association, seen);
+            if (points.size() >= enough)
+                return points;
+            const std::size_t ringEnd = grown.size();
+            for (std::size_t i = ringBegin; i < ringEnd; ++i)
+                for (int e : mDomain.topology.vertexEdges[std::size_t(grown[i])]) {
+                    const int w = mDomain.topology.neighbour(grown[i], e);
+                    if (!seen[std::size_t(w)]) {
+                        seen[std::size_t(w)] = 1;
+                        grown.push_back(w);
+                    }
+                }
+            ringBegin = ringEnd;
+        }
+        return pointsOf(mDomain.association, seen);
+    }
+
+    // A model fitted to the points, of the given degree or the one of least energy; its id.
+    int addModel(const std::vector<int> &points, const std::vector<int> &vertices, int degree)
+    {
+        const Association &a = mDomain.association;
+        const int lowest = degree ? degree : 1, highest = degree ? degree : mOptions.maxDegree;
+        const int id = mEffect.start.nextId++;
+        std::optional<LabelModel> best;
+        double bestEnergy = 0.0;
+        for (int d = lowest; d <= highest; ++d) {
+            LabelModel model =
+                points.empty()
+                    ? mEffect.start.models[std::size_t(labels()[std::size_t(vertices[0])])]
+                    : labelModel(a, fitPolynomial(a.points, points, d, mOptions.fit), id, mOptions.epsilon);
+            model.id = id;
+            double energy =
+                mOptions.simplicity * double(model.model.theta.size()) / mOptions.parameterNormaliser;
+            for (int v : vertices)
+                energy += (*model.costs)[std::size_t(v)];
+            if (!best || energy < bestEnergy) {
+                best = std::move(model);
+                bestEnergy = energy;
+            }
+        }
+        mEffect.start.models.push_back(std::move(*best));
+        mEffect.constraints.held.push_back({id, degree, false});
+        return id;
+    }
+
+    const ScribbleDomain &mDomain;
+    const Scribble &mScribble;
+    const SegmentationOptions &mOptions;
+    const double mPenalty;
+    ScribbleEffect mEffect;
+    std::vector<int> mTouched; // scribbled vertices that are not locked
+};
+
+} // namespace
+
+Result<ScribbleEffect> effectOf(const ScribbleDomain &domain, const LabelSolution &before,
+                                const Scribble &scribble, const SegmentationOptions &options)
+{
+    return EffectBuilder(domain, before, scribble, options).build();
+}
+
+} // namespace ductus
