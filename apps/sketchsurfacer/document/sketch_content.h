@@ -1,0 +1,32 @@
+// SketchContent: everything a user of SketchSurfacer decides about one sketch, as one value. Large parts are
+// shared and immutable, so an undo history keeps whole contents: undo restores exactly, whatever the edit
+// was.
+#pragma once
+
+#include "surfacing/pipeline/restart.h"
+
+#include <cstdint>
+#include <memory>
+
+namespace ductus {
+
+struct SketchContent
+{
+    std::shared_ptr<const StrokeSet> strokes = std::make_shared<const StrokeSet>();
+    std::shared_ptr<const TriangleMesh> givenProxy; // null: made automatically
+    SurfaceOptions options;
+    std::vector<Scribble> scribbles;
+    /// Names this content in the process: equal numbers mean equal content. Given by SketchDocument.
+    std::uint64_t id = 0;
+};
+
+/// What the solver gets.
+SurfacingRequest requestOf(const SketchContent &content);
+
+/// Whether a state made of \a before may be continued for \a after: same strokes, same given proxy.
+bool hasSameInput(const SketchContent &before, const SketchContent &after);
+
+/// The options the window begins with: automatic symmetry.
+SurfaceOptions defaultSurfaceOptions();
+
+} // namespace ductus

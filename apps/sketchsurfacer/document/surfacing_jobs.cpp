@@ -1,0 +1,100 @@
+#include "sketchsurfacer/document/surfacing_jobs.h"
+
+#include <QPointer>
+
+namespace ductus {
+
+namespace {
+
+const QString jobKey = QStringLiteral("surface");
+constexpr int followAfterMilliseconds = 120; // edits that come together are solved together
+
+using StatePointer = std::shared_ptr<const SurfacingState>;
+
+} // namespace
+
+SurfacingJobs::SurfacingJobs(SketchDocument &document, JobRunner &runner, QObject *parent)
+    : QObject(parent), mDocument(document), mRunner(runner)
+{
+    mFollow.setSingleShot(true);
+    mFollow.setInterval(followAfterMilliseconds);
+    connect(&mFollow, &QTimer::timeout, this, &SurfacingJobs::start);
+    connect(&document, &Document::changed, this, &SurfacingJobs::onChanged);
+}
+
+void SurfacingJobs::onChanged(const ChangeEvent &event)
+{
+    if (event.as<DocumentReset>()) {
+        mFollow.stop();
+        cancel();
+        return;
+    }
+    if (!event.as<SketchChanged>())
+        return;
+    if (mDocument.isUpToDate()) { // undone to something known
+        mFollow.stop();
+        cancel();
+    } else if (mFollowsEdits && (isRunning() || mDocument.shownResult())) {
+        mFollow.start();
+    }
+}
+
+void SurfacingJobs::start()
+{
+    mFollow.stop();
+    const SketchContent content = mDocument.content();
+    if (mDocument.isEmpty() || mDocument.isUpToDate() || mRunningId == content.id)
+        return;
+    SketchContent madeOf;
+    const StatePointer before = mDocument.startingPoint(&madeOf);
+    const bool sameInput = before != nullptr;
+    const QPointer<SurfacingJobs> self(this);
+    auto work = [content, before, sameInput, self](const JobControl &control) -> Result<StatePointer> {
+        const auto onPreview = [&](const SurfacingState &labelled) {
+            auto preview = std::make_shared<const SurfacingState>(labelled);
+            if (self && !control.isCancelled())
+                QMetaObject::invokeMethod(
+                    self,
+                    [self, preview, id = content.id] {
+                        if (self && self->mRunningId == id)
+                            self->mDocument.setPreview(id, preview);
+                    },
+                    Qt::QueuedConnection);
+        };
+        Result<SurfacingState> state =
+            resurface(before ? *before : SurfacingState(), requestOf(content), sameInput, onPreview, control);
+        if (!state)
+            return state.error();
+        return StatePointer(std::make_shared<const SurfacingState>(std::move(*state)));
+    };
+    auto finish = [this, content](Result<StatePointer> state) {
+        const bool isNewest = mRunningId == content.id;
+        if (isNewest)
+            mRunningId = 0;
+        if (state) {
+            mDocument.setResult(content, *state);
+            QStringList warnings;
+            for (const std::string &warning : (*state)->surface->warnings)
+                warnings << QString::fromStdString(warning);
+            if (isNewest && !warnings.isEmpty())
+                emit noticed(warnings);
+        } else if (isNewest) {
+            mDocument.dropPreview();
+            if (!state.error().isCancelled())
+                emit failed(state.error());
+        }
+        if (isNewest)
+            emit runningChanged(false);
+    };
+    mRunningId = content.id;
+    mRunner.start<StatePointer>({jobKey, tr("Surfacing the sketch")}, work, finish);
+    emit runningChanged(true);
+}
+
+void SurfacingJobs::cancel()
+{
+    mFollow.stop();
+    mRunner.cancelKey(jobKey);
+}
+
+} // namespace ductus

@@ -1,0 +1,388 @@
+#include "sketchsurfacer/ui/viewport/sketch_view.h"
+
+#include <QMouseEvent>
+#include <algorithm>
+#include <cmath>
+
+namespace ductus {
+
+namespace {
+
+constexpr double clickReach = 4.0;   // pixels a hand trembles
+constexpr double dividerReach = 8.0; // pixels around the divider that grab it
+
+double distanceToSegment(const QPointF &p, const QPointF &a, const QPointF &b, double *share)
+{
+    const QPointF ab = b - a, ap = p - a;
+    const double length2 = QPointF::dotProduct(ab, ab);
+    *share = length2 > 0.0 ? std::clamp(QPointF::dotProduct(ap, ab) / length2, 0.0, 1.0) : 0.0;
+    const QPointF off = ap - *share * ab;
+    return std::hypot(off.x(), off.y());
+}
+
+SceneItem meshOfMode(ViewMode mode)
+{
+    switch (mode) {
+    case ViewMode::Proxy:
+        return SceneItem::Proxy;
+    case ViewMode::Regions:
+        return SceneItem::Regions;
+    case ViewMode::Deviation:
+        return SceneItem::Deviation;
+    case ViewMode::Sketch:
+    case ViewMode::Surface:
+        break;
+    }
+    return SceneItem::Surface;
+}
+
+} // namespace
+
+SketchView::SketchView(QWidget *parent) : VtkWidget(parent)
+{
+    setObjectName(QStringLiteral("canvas"));
+    setAccessibleName(tr("Canvas"));
+    setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
+    setMinimumSize(320, 240);
+    addRenderer(mScene.mainRenderer());
+    addRenderer(mScene.leftRenderer());
+    mOverlay = new ViewOverlay(*this);
+    setDark(true);
+}
+
+SketchView::~SketchView() = default;
+
+void SketchView::setExtent(const Box3 &box, UpAxis up, double metresPerUnit)
+{
+    mExtent = box;
+    mMetresPerUnit = metresPerUnit;
+    mScene.setExtent(box);
+    mCamera.setUpAxis(up);
+    if (!mFramed && !box.isEmpty())
+        frameAll();
+    moved();
+}
+
+double SketchView::strokeRadius() const
+{
+    return mExtent.isEmpty() ? 0.001 : mExtent.diagonal() / 620;
+}
+
+void SketchView::rebuildTubes()
+{
+    ShadedMesh tubes, sketch;
+    // Thinner where a surface is what one looks at.
+    const bool isAlone = mMode == ViewMode::Sketch || !mScene.has(meshOfMode(mMode));
+    const double radius = strokeRadius();
+    for (const ViewLine &line : mStrokes)
+        appendTube(line.points, radius * line.width * (isAlone ? 1.0 : 0.8), line.colours, 6, tubes);
+    if (mDivider)
+        for (const ViewLine &line : mStrokes)
+            appendTube(line.points, radius * line.width, line.colours, 6, sketch);
+    mScene.setMesh(SceneItem::Strokes, tubes);
+    mScene.setMesh(SceneItem::Sketch, sketch);
+    showItems();
+}
+
+void SketchView::setStrokes(const std::vector<ViewLine> &lines)
+{
+    mStrokes = lines;
+    rebuildTubes();
+}
+
+void SketchView::setScribbles(const std::vector<ViewLine> &lines)
+{
+    ShadedMesh tubes;
+    for (const ViewLine &line : lines)
+        appendTube(line.points, 1.9 * strokeRadius() * line.width, line.colours, 8, tubes);
+    mScene.setMesh(SceneItem::Scribbles, tubes);
+    showItems();
+}
+
+void SketchView::setMesh(SceneItem item, const ViewMesh &mesh)
+{
+    mMeshes[std::size_t(item)] = mesh;
+    mScene.setMesh(item, mesh.shaded);
+    rebuildTubes();
+}
+
+void SketchView::setCreases(const std::vector<std::vector<Vec3>> &lines)
+{
+    mScene.setCreases(lines, devicePixelRatioF());
+    showItems();
+}
+
+void SketchView::setGround(const GroundShadow &shadow)
+{
+    mScene.setGround(shadow);
+    showItems();
+}
+
+void SketchView::setMode(ViewMode mode)
+{
+    mMode = mode;
+    rebuildTubes();
+}
+
+void SketchView::setStrokesShown(bool shown)
+{
+    mStrokesShown = shown;
+    showItems();
+}
+
+void SketchView::setComparison(std::optional<double> divider)
+{
+    const bool starts = divider.has_value() != mDivider.has_value();
+    mDivider = divider;
+    if (starts)
+        rebuildTubes();
+    moved();
+}
+
+void SketchView::setDark(bool dark)
+{
+    mDark = dark;
+    if (dark)
+        mScene.setBackground({52, 57, 64, 255}, {24, 26, 30, 255});
+    else
+        mScene.setBackground({250, 251, 252, 255}, {214, 219, 226, 255});
+    update();
+    mOverlay->update();
+}
+
+void SketchView::showItems()
+{
+    const SceneItem mesh = meshOfMode(mMode);
+    for (const SceneItem item :
+         {SceneItem::Proxy, SceneItem::Regions, SceneItem::Surface, SceneItem::Deviation})
+        mScene.setVisible(item, mMode != ViewMode::Sketch && item == mesh);
+    const bool hasSurface =
+        mMode == ViewMode::Surface || mMode == ViewMode::Deviation || mMode == ViewMode::Regions;
+    mScene.setVisible(SceneItem::Creases, hasSurface && mScene.has(mesh) && mMode != ViewMode::Regions);
+    mScene.setVisible(SceneItem::Strokes, mStrokesShown || mMode == ViewMode::Sketch);
+    mScene.setVisible(SceneItem::Sketch, true);
+    mScene.setVisible(SceneItem::Scribbles, hasSurface);
+    mScene.setVisible(SceneItem::Ground, true);
+    moved();
+}
+
+void SketchView::moved()
+{
+    update();
+    mOverlay->update();
+    emit cameraMoved();
+}
+
+void SketchView::setPreset(ViewPreset preset)
+{
+    mCamera.setPreset(preset);
+    frameAll();
+}
+
+void SketchView::setPerspective(bool on)
+{
+    mCamera.setPerspective(on);
+    moved();
+}
+
+void SketchView::frameAll()
+{
+    mCamera.setViewport(QSizeF(size()));
+    mCamera.frame(mExtent);
+    mFramed = isVisible() && !mExtent.isEmpty(); // the size before the first show is not the final one
+    moved();
+}
+
+void SketchView::orbitBy(const QPointF &pixels)
+{
+    mCamera.orbit(pixels);
+    moved();
+}
+
+void SketchView::zoomBy(double factor)
+{
+    mCamera.zoom(factor, QPointF(0.5 * width(), 0.5 * height()));
+    moved();
+}
+
+const ViewMesh &SketchView::pickMesh() const
+{
+    static const ViewMesh none;
+    return mMode == ViewMode::Sketch ? none : mMeshes[std::size_t(meshOfMode(mMode))];
+}
+
+std::optional<RayHit> SketchView::surfaceAt(const QPointF &position) const
+{
+    const ViewMesh &mesh = pickMesh();
+    if (!mesh.tree || mesh.tree->isEmpty())
+        return std::nullopt;
+    const ViewRay ray = mCamera.ray(position);
+    return mesh.tree->firstHit(ray.origin, ray.direction);
+}
+
+int SketchView::strokeAt(const QPointF &position, double reach) const
+{
+    int best = -1;
+    double nearest = reach;
+    for (std::size_t i = 0; i < mStrokes.size(); ++i) {
+        const std::vector<Vec3> &points = mStrokes[i].points;
+        std::optional<QPointF> before;
+        for (std::size_t k = 0; k < points.size(); ++k) {
+            const std::optional<QPointF> here = mCamera.project(points[k]);
+            double share = 0.0;
+            if (before && here) {
+                const double d = distanceToSegment(position, *before, *here, &share);
+                if (d < nearest) {
+                    const Vec3 at = points[k - 1] + share * (points[k] - points[k - 1]);
+                    const ViewRay ray = mCamera.ray(*mCamera.project(at));
+                    const ViewMesh &mesh = pickMesh();
+                    const double depth = (at - ray.origin).norm();
+                    const double inSurface = mExtent.diagonal() / 100;
+                    if (!mesh.tree ||
+                        !mesh.tree->isBlocked(ray.origin, ray.direction, 0.0, depth - inSurface)) {
+                        nearest = d;
+                        best = int(i);
+                    }
+                }
+            }
+            before = here;
+        }
+    }
+    return best;
+}
+
+void SketchView::setTool(ViewTool *tool)
+{
+    if (mTool)
+        mTool->cancel(*this);
+    mTool = tool;
+    mDrag = Drag::None;
+    setCursor(tool ? tool->cursor() : QCursor(Qt::ArrowCursor));
+    mOverlay->update();
+}
+
+bool SketchView::cancelTool()
+{
+    if (mDrag == Drag::Tool)
+        mDrag = Drag::None;
+    const bool had = mTool && mTool->cancel(*this);
+    mOverlay->update();
+    return had;
+}
+
+void SketchView::prepareFrame()
+{
+    if (!mFramed && !mExtent.isEmpty()) {
+        mCamera.setViewport(QSizeF(size()));
+        mCamera.frame(mExtent);
+        mFramed = true;
+    }
+    mScene.follow(mCamera, mMode == ViewMode::Sketch ? std::nullopt : mDivider);
+}
+
+void SketchView::resizeEvent(QResizeEvent *event)
+{
+    VtkWidget::resizeEvent(event);
+    mCamera.setViewport(QSizeF(size()));
+    mOverlay->setGeometry(rect());
+    emit cameraMoved();
+}
+
+void SketchView::mousePressEvent(QMouseEvent *event)
+{
+    setFocus(Qt::MouseFocusReason);
+    if (mDrag != Drag::None)
+        return;
+    mPressed = mLast = event->position();
+    mHasMoved = false;
+    const bool wantsView = event->modifiers() & Qt::AltModifier;
+    if (event->button() == Qt::MiddleButton ||
+        (event->button() == Qt::LeftButton && wantsView && (event->modifiers() & Qt::ShiftModifier)))
+        mDrag = Drag::Pan;
+    else if (event->button() == Qt::RightButton || (event->button() == Qt::LeftButton && wantsView))
+        mDrag = Drag::Orbit;
+    else if (event->button() == Qt::LeftButton && mDivider && mMode != ViewMode::Sketch &&
+             std::abs(event->position().x() - *mDivider * width()) < dividerReach)
+        mDrag = Drag::Divider;
+    else if (event->button() == Qt::LeftButton)
+        mDrag =
+            mTool && mTool->press({event->position(), event->modifiers()}, *this) ? Drag::Tool : Drag::Orbit;
+    if (mDrag == Drag::Orbit)
+        if (const std::optional<RayHit> hit = surfaceAt(event->position()))
+            mCamera.setTarget(hit->point); // what one grabs stays under the hand
+    mOverlay->update();
+    event->accept();
+}
+
+void SketchView::mouseMoveEvent(QMouseEvent *event)
+{
+    const QPointF by = event->position() - mLast;
+    const QPointF all = event->position() - mPressed;
+    const ViewPointer pointer{event->position(), event->modifiers()};
+    mHasMoved = mHasMoved || std::hypot(all.x(), all.y()) > clickReach;
+    switch (mDrag) {
+    case Drag::None:
+        if (mDivider && mMode != ViewMode::Sketch)
+            setCursor(std::abs(event->position().x() - *mDivider * width()) < dividerReach
+                          ? QCursor(Qt::SplitHCursor)
+                      : mTool ? mTool->cursor()
+                              : QCursor(Qt::ArrowCursor));
+        if (mTool)
+            mTool->hover(pointer, *this);
+        mOverlay->update();
+        break;
+    case Drag::Tool:
+        mTool->drag(pointer, *this);
+        mOverlay->update();
+        break;
+    case Drag::Orbit:
+        if (!mHasMoved)
+            return; // a click must not turn the view by a pixel
+        mCamera.orbit(by);
+        moved();
+        break;
+    case Drag::Pan:
+        mCamera.pan(by);
+        moved();
+        break;
+    case Drag::Divider:
+        mDivider = std::clamp(event->position().x() / std::max(1, width()), 0.02, 0.98);
+        emit comparisonMoved(*mDivider);
+        moved();
+        break;
+    }
+    mLast = event->position();
+}
+
+void SketchView::mouseReleaseEvent(QMouseEvent *event)
+{
+    const ViewPointer pointer{event->position(), event->modifiers()};
+    const Drag drag = std::exchange(mDrag, Drag::None);
+    if (drag == Drag::Tool && event->button() == Qt::LeftButton)
+        mTool->release(pointer, *this);
+    else if (drag == Drag::Orbit && event->button() == Qt::LeftButton && !mHasMoved && mTool)
+        mTool->click(pointer, *this);
+    mOverlay->update();
+    event->accept();
+}
+
+void SketchView::wheelEvent(QWheelEvent *event)
+{
+    const double steps = event->angleDelta().y() / 120.0;
+    if (steps != 0.0) {
+        mCamera.zoom(std::pow(0.86, steps), event->position());
+        moved();
+    }
+    event->accept();
+}
+
+void SketchView::leaveEvent(QEvent *event)
+{
+    if (mTool && mDrag == Drag::None)
+        mTool->cancel(*this);
+    mOverlay->update();
+    VtkWidget::leaveEvent(event);
+}
+
+} // namespace ductus

@@ -1,0 +1,47 @@
+// ViewOverlay: what lies flat above the scene: axes, scale bar, legend, what is under the pointer, the handle
+// of the comparison, and what the tool draws. A widget of its own: it is repainted without drawing the scene
+// anew.
+#pragma once
+
+#include "imaging/image.h"
+
+#include <QString>
+#include <QWidget>
+#include <vector>
+
+namespace ductus {
+
+class SketchView;
+
+/// A bar of colours from 0 to \a largest.
+struct ColourLegend
+{
+    QString title;
+    std::vector<Rgba> colours; // evenly spaced, from 0
+    double largestMetres = 0.0;
+};
+
+class ViewOverlay : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit ViewOverlay(SketchView &view);
+
+    void setLegend(const ColourLegend &legend);
+    void setEmptyText(const QString &text);
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+
+private:
+    void paintAxes(QPainter &painter) const;
+    void paintScaleBar(QPainter &painter) const;
+    void paintLegend(QPainter &painter) const;
+    void paintDivider(QPainter &painter) const;
+
+    SketchView &mView;
+    ColourLegend mLegend;
+    QString mEmptyText;
+};
+
+} // namespace ductus
