@@ -14,16 +14,8 @@ Result<SharedSolution> automaticSolution(const ScribbleDomain &domain, const Seg
     Result<Segmentation> segmentation = segment(domain.association, domain.topology, options, control);
     if (!segmentation)
         return segmentation.error();
-    auto solution = std::make_shared<LabelSolution>();
-    solution->vertexIsLocked.assign(segmentation->labels.size(), 0);
-    solution->fit.labels = segmentation->labels;
-    for (const ImplicitPolynomial &model : segmentation->models) {
-        solution->modelIds.push_back(solution->fit.nextId);
-        solution->fit.models.push_back(
-            labelModel(domain.association, model, solution->fit.nextId++, options.epsilon));
-    }
-    solution->segmentation = std::move(*segmentation);
-    return SharedSolution(std::move(solution));
+    return SharedSolution(
+        std::make_shared<const LabelSolution>(unscribbled(domain, std::move(*segmentation), options)));
 }
 
 // Warm start (thesis Sec. III.6): Algorithm 1 from its relabelling on, with the labels and models there are.
@@ -60,6 +52,21 @@ bool startsWith(const std::vector<Scribble> &all, const std::vector<Scribble> &f
 }
 
 } // namespace
+
+LabelSolution unscribbled(const ScribbleDomain &domain, Segmentation segmentation,
+                          const SegmentationOptions &options)
+{
+    LabelSolution solution;
+    solution.vertexIsLocked.assign(segmentation.labels.size(), 0);
+    solution.fit.labels = segmentation.labels;
+    for (const ImplicitPolynomial &model : segmentation.models) {
+        solution.modelIds.push_back(solution.fit.nextId);
+        solution.fit.models.push_back(
+            labelModel(domain.association, model, solution.fit.nextId++, options.epsilon));
+    }
+    solution.segmentation = std::move(segmentation);
+    return solution;
+}
 
 Result<SharedSolution> refine(const ScribbleDomain &domain, const SharedSolution &known,
                               const std::vector<Scribble> &scribbles, const SegmentationOptions &options,

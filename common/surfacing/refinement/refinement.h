@@ -19,6 +19,10 @@ struct ScribbleDomain
     const std::optional<SymmetryPlane> &plane; // unit frame
 };
 
+/// \a segmentation as what scribbles start from.
+LabelSolution unscribbled(const ScribbleDomain &domain, Segmentation segmentation,
+                          const SegmentationOptions &options);
+
 /// The automatic regions with all \a scribbles applied. \a known (may be null): a solution of the same domain
 /// and options; what it shares with \a scribbles is not solved again.
 Result<std::shared_ptr<const LabelSolution>>

@@ -1,6 +1,6 @@
 #include "surfacing/refinement/scribble_effect.h"
 
-#include "surfacing/refinement/scribble_path.h"
+#include "surfacing/refinement/region_cut.h"
 #include "surfacing/segmentation/data_costs.h"
 
 #include <algorithm>
@@ -12,6 +12,11 @@ namespace {
 
 // Against all other models on locked vertices: more than any energy there is, yet finite.
 constexpr double lockCost = 1e3;
+// Against other models next to a seam: a hundred times the whole simplicity term, so that a seam stays where
+// it is.
+constexpr double seamCost = 1.0;
+// A split drawn this near to a stroke meant the stroke. Share of the box diagonal.
+constexpr double snappingDistance = 0.04;
 
 Error refusal(std::string problem, std::string remedy)
 {
@@ -55,10 +60,15 @@ public:
                                "Give a degree from 1 (plane) to 4 (quartic)");
             setDegree();
             break;
-        case ScribbleKind::Seam:
         case ScribbleKind::ForbidSeam:
+            forbidSeam();
+            break;
+        case ScribbleKind::Seam:
         case ScribbleKind::Split:
-            return Error{ErrorCode::Unsupported, "Applying a scribble", "this kind is not known yet", "", ""};
+            if (!cutRegions(*path))
+                return refusal("it does not part a region",
+                               "Draw it from border to border of a region, or closed up to a ring");
+            break;
         }
         return std::move(mEffect);
     }
@@ -117,18 +127,119 @@ private:
     void setDegree()
     {
         for (const std::vector<int> &part : touchedParts()) {
-            const int old = idAt(part.front());
             forget(part);
             const int id = addModel(pointsOfVertices(part), part, mScribble.degree);
-            for (int v : part)
-                mEffect.constraints.preferences.push_back({v, old, false, mPenalty});
-            std::vector<int> touched;
-            for (int v : mTouched)
-                if (std::binary_search(part.begin(), part.end(), v))
-                    touched.push_back(v);
             relabel(part, id);
-            want(touched, id, mPenalty);
+            want(part, id,
+                 mPenalty); // all of it: another degree is no reason to give parts of the region away
         }
+    }
+
+    // Regions the line parts by itself are cut; if there are none, the one it runs through longest, by a
+    // longer line.
+    bool cutRegions(const ScribblePath &path)
+    {
+        const std::vector<std::vector<int>> parts = touchedParts();
+        bool done = false;
+        for (const std::vector<int> &part : parts)
+            if (const auto cut = cutAlong(mDomain, part, path, CutEnds::AsDrawn)) {
+                applyCut(*cut);
+                done = true;
+            }
+        if (done)
+            return true;
+        std::size_t longest = 0, most = 0;
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            std::size_t touched = 0;
+            for (int v : mTouched)
+                touched += std::binary_search(parts[i].begin(), parts[i].end(), v);
+            if (touched > most) {
+                most = touched;
+                longest = i;
+            }
+        }
+        const auto cut = cutAlong(mDomain, parts[longest], path, CutEnds::Extended);
+        if (cut)
+            applyCut(*cut);
+        return cut.has_value();
+    }
+
+    void applyCut(RegionCut cut)
+    {
+        const bool isSeam = mScribble.kind == ScribbleKind::Seam;
+        if (!isSeam)
+            snapToStrokes(mDomain, cut, snappingDistance);
+        const int old = idAt(cut.left.front());
+        forget(cut.left);
+        forget(cut.right);
+        const int left = addModel(pointsOfVertices(cut.left), cut.left, mScribble.degree);
+        const int right = addModel(pointsOfVertices(cut.right), cut.right, mScribble.degree);
+        relabel(cut.left, left);
+        relabel(cut.right, right);
+        for (const auto &[side, other] : {std::pair(&cut.left, right), std::pair(&cut.right, left)})
+            for (int v : *side) {
+                mEffect.constraints.preferences.push_back({v, old, false, mPenalty});
+                mEffect.constraints.preferences.push_back({v, other, false, mPenalty});
+            }
+        if (!isSeam)
+            return;
+        want(cut.seamLeft, left, seamCost);
+        want(cut.seamRight, right, seamCost);
+        for (int e : cut.crossedEdges)
+            overrideEdge(e, crossedWeight());
+    }
+
+    // No border next to the line; what it kept apart may become one surface if the strokes allow it.
+    void forbidSeam()
+    {
+        std::vector<char> isNear(labels().size(), 0);
+        for (int v : mTouched)
+            isNear[std::size_t(v)] = 1;
+        std::vector<int> strip = mTouched;
+        for (int v : mTouched)
+            for (int e : mDomain.topology.vertexEdges[std::size_t(v)]) {
+                const int w = mDomain.topology.neighbour(v, e);
+                if (!isNear[std::size_t(w)] && !mEffect.vertexIsLocked[std::size_t(w)]) {
+                    isNear[std::size_t(w)] = 1;
+                    strip.push_back(w);
+                }
+            }
+        forget(strip);
+        for (std::size_t e = 0; e < mDomain.topology.edges.size(); ++e) {
+            const MeshEdge &edge = mDomain.topology.edges[e];
+            if (isNear[std::size_t(edge.v0)] && isNear[std::size_t(edge.v1)] &&
+                !mEffect.vertexIsLocked[std::size_t(edge.v0)] &&
+                !mEffect.vertexIsLocked[std::size_t(edge.v1)])
+                overrideEdge(int(e), uncutWeight());
+        }
+        mTouched = strip;
+        std::vector<int> vertices;
+        const std::vector<std::vector<int>> parts = touchedParts();
+        for (const std::vector<int> &part : parts)
+            vertices.insert(vertices.end(), part.begin(), part.end());
+        if (parts.size() < 2)
+            return; // there is no border; none will come
+        relabel(vertices, addModel(pointsOfVertices(vertices), vertices, 0));
+    }
+
+    void overrideEdge(int edge, double weight)
+    {
+        std::erase_if(mEffect.constraints.edges, [&](const EdgeOverride &o) { return o.edge == edge; });
+        mEffect.constraints.edges.push_back({edge, weight});
+    }
+
+    double leastWeight() const
+    {
+        const std::vector<double> &w = mDomain.association.edgeWeights;
+        return *std::min_element(w.begin(), w.end());
+    }
+    double crossedWeight() const { return leastWeight(); }
+    double uncutWeight() const // one such edge outweighs all others together
+    {
+        double sum = 0.0;
+        for (double w : mDomain.association.edgeWeights)
+            sum += w;
+        return sum;
     }
 
     // Connected parts of regions with a touched vertex, each sorted; without locked vertices.

@@ -11,6 +11,8 @@ namespace {
 
 // Further away nobody meant this surface. Share of the box diagonal.
 constexpr double farthestPoint = 0.25;
+// How much further from the surface than its ends a leg may lie to be followed point by point.
+constexpr double straightLegDistance = 0.03;
 
 int nearestCorner(const TriangleMesh &mesh, const NearestPoint &foot)
 {
@@ -43,16 +45,10 @@ public:
     void cross(int edge)
     {
         const int from = mPath.triangles.back();
-        const MeshEdge &e = mTopology.edges[std::size_t(edge)];
-        // The triangle walked out of runs its edge a -> b with itself on the left, so b is left of the
-        // walker.
-        const Triangle &corners = mMesh.triangles[std::size_t(from)];
-        bool runsForward = false;
-        for (std::size_t k = 0; k < 3; ++k)
-            runsForward = runsForward || (corners[k] == e.v0 && corners[(k + 1) % 3] == e.v1);
+        const auto [left, right] = sidesOfCrossing(mMesh, mTopology, edge, from);
         mPath.crossedEdges.push_back(edge);
-        mPath.left.push_back(runsForward ? e.v1 : e.v0);
-        mPath.right.push_back(runsForward ? e.v0 : e.v1);
+        mPath.left.push_back(left);
+        mPath.right.push_back(right);
         mPath.triangles.push_back(mTopology.across(edge, from));
     }
 
@@ -67,17 +63,45 @@ private:
 
 } // namespace
 
+std::pair<int, int> sidesOfCrossing(const TriangleMesh &mesh, const MeshTopology &topology, int edge,
+                                    int from)
+{
+    // The triangle walked out of runs its edge a -> b with itself on the left, so b is left of the walker.
+    const MeshEdge &e = topology.edges[std::size_t(edge)];
+    const Triangle &corners = mesh.triangles[std::size_t(from)];
+    for (std::size_t k = 0; k < 3; ++k)
+        if (corners[k] == e.v0 && corners[(k + 1) % 3] == e.v1)
+            return {e.v1, e.v0};
+    return {e.v0, e.v1};
+}
+
 Result<ScribblePath> layOnProxy(const ScribbleDomain &domain, const std::vector<Vec3> &points)
 {
     const TriangleMesh &mesh = domain.proxy;
     std::vector<NearestPoint> feet;
+    const double step = 1.5 * meanEdgeLength(mesh);
+    std::optional<Vec3> previous;
     for (const Vec3 &point : points) {
         Vec3 p = domain.frame.unitFromInput(point);
         if (domain.plane && domain.plane->signedDistance(p) < 0.0)
             p = domain.plane->mirrored(p);
         const NearestPoint foot = domain.nearest.nearest(p);
-        if (foot.distance <= farthestPoint)
-            feet.push_back(foot);
+        if (foot.distance > farthestPoint)
+            continue;
+        // Shortest paths over triangles stray by a tenth of their length; points in between keep long legs
+        // straight, where the leg stays near the surface.
+        if (previous) {
+            const double near = std::max(feet.back().distance, foot.distance) + straightLegDistance;
+            const int count = int((p - *previous).norm() / step);
+            for (int i = 1; i < count; ++i) {
+                const NearestPoint between =
+                    domain.nearest.nearest(*previous + (p - *previous) * i / double(count));
+                if (between.distance <= near)
+                    feet.push_back(between);
+            }
+        }
+        feet.push_back(foot);
+        previous = p;
     }
     if (feet.empty())
         return Error{ErrorCode::InvalidArgument, "Applying a scribble",

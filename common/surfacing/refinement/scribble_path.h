@@ -19,4 +19,8 @@ struct ScribblePath
 /// if there is no point, or none near the proxy.
 Result<ScribblePath> layOnProxy(const ScribbleDomain &domain, const std::vector<Vec3> &points);
 
+/// The ends of \a edge left and right of somebody who crosses it out of triangle \a from.
+std::pair<int, int> sidesOfCrossing(const TriangleMesh &mesh, const MeshTopology &topology, int edge,
+                                    int from);
+
 } // namespace ductus
