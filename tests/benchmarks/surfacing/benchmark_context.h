@@ -41,6 +41,7 @@ struct Section
 
 SectionReport runTruthSection(const BenchmarkContext &context);
 SectionReport runTimingSection(const BenchmarkContext &context);
+SectionReport runScribbleSection(const BenchmarkContext &context);
 SectionReport runProxySection(const BenchmarkContext &context);
 SectionReport runHabitSweeps(const BenchmarkContext &context);
 SectionReport runParameterSweeps(const BenchmarkContext &context);
