@@ -19,16 +19,21 @@
 #include "widgets/theme/palette.h"
 
 #include <QMainWindow>
+#include <QPalette>
+#include <QPointer>
 #include <functional>
+#include <vector>
 
+class QActionGroup;
 class QLabel;
 class QMenu;
 class QStackedWidget;
 
 namespace ductus {
 
-class AppStrip;
+class ActionSearch;
 class FoldingSection;
+class HintLabel;
 class Inspector;
 class JobChip;
 class MessageBar;
@@ -69,6 +74,8 @@ public:
     /// A menu in the row, made at its first use; put before Help. Adding catalogue actions:
     /// menu(...)->addAction( actions().action("file.open")).
     QMenu *menu(const QString &title);
+    /// Adds to a menu before the part that is the shell's own.
+    void addToMenu(QMenu *menu, const QList<QAction *> &added);
     QMenu *fileMenu();
     QMenu *editMenu();
     QMenu *viewMenu();
@@ -142,15 +149,15 @@ protected:
     void closeEvent(QCloseEvent *event) override;
     void dragEnterEvent(QDragEnterEvent *event) override;
     void dropEvent(QDropEvent *event) override;
-    void changeEvent(QEvent *event) override;
-    void resizeEvent(QResizeEvent *event) override;
-    bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
     void addShellActions();
+    void addUndoActions();
+    void fillMenus();
     void buildLayout();
     void applyTheme();
-    void refreshIcons();
+    void setActionIcon(const QString &id);
+    void updateUndoActions();
     void updateTitle();
     void restoreWindow();
     void rememberWindow();
@@ -158,7 +165,13 @@ private:
 
     AppIdentity mIdentity;
     ShellServices mServices;
-    Document *mDocument = nullptr;
+    QPalette mSystemPalette; // before it was dressed
+    QActionGroup *mThemeActions = nullptr;
+    QMenu *mFileMenu = nullptr;
+    QMenu *mEditMenu = nullptr;
+    QMenu *mViewMenu = nullptr;
+    QMenu *mHelpMenu = nullptr;
+    QPointer<Document> mDocument;
     TopRow *mTopRow = nullptr;
     MessageBar *mMessages = nullptr;
     ToolRail *mTools = nullptr;
@@ -166,12 +179,13 @@ private:
     StartPage *mStartPage = nullptr;
     QWidget *mCanvas = nullptr;
     Inspector *mInspector = nullptr;
-    AppStrip *mStrip = nullptr;
-    QLabel *mHint = nullptr;
+    QWidget *mStripPlace = nullptr;
+    HintLabel *mHint = nullptr;
     QLabel *mPointerText = nullptr;
     JobChip *mJobChip = nullptr;
     UndoPanel *mUndoPanel = nullptr;
-    SettingsDialog *mSettingsDialog = nullptr;
+    ActionSearch *mSearch = nullptr;
+    QPointer<SettingsDialog> mSettingsDialog;
     struct SettingsPage
     {
         QString title;

@@ -33,6 +33,7 @@ protected:
 private:
     QToolButton *mHeading;
     QWidget *mContent;
+    QWidget *mFrame; // the content with its margins
     QVBoxLayout *mLayout;
     QWidget *mHeadingRow;
     bool mIsFolded = false;
