@@ -4,7 +4,7 @@
 
 namespace ductus {
 
-Document::Document(QObject *parent) : QObject(parent)
+Document::Document(QObject *parent) : QObject(parent), mLocks(std::make_shared<HeldLocks>())
 {
     mProject.id = Uuid::create();
     // Merged commands keep the index but emit the signal, so this counts them, too.
@@ -56,9 +56,9 @@ Result<void> Document::load(Project project, const QString &filePath)
     if (Result<void> read = readFrom(project); !read)
         return read;
     mProject = std::move(project);
+    mLocks->keepOnly(filePath); // a file that is opened again stays ours
     mFilePath = filePath;
     mUntitledName.clear();
-    mLock.reset();
     mReadOnlyReason = mProject.readOnly ? tr("it was made by a newer version of Ductus") : QString();
     mReadOnly = mProject.readOnly;
     becomeClean();
@@ -72,18 +72,10 @@ void Document::reset()
     mProject.id = Uuid::create();
     mFilePath.clear();
     mUntitledName.clear();
-    mLock.reset();
+    mLocks->keepOnly({});
     mReadOnly = false;
     mReadOnlyReason.clear();
     becomeClean();
-}
-
-void Document::setLock(std::optional<ProjectLock> lock)
-{
-    // Not assigned: ProjectLock moves, but does not move over another one.
-    mLock.reset();
-    if (lock)
-        mLock.emplace(std::move(*lock));
 }
 
 void Document::markSaved(const QString &filePath, quint64 revision, const SaveReport &report)
@@ -91,6 +83,7 @@ void Document::markSaved(const QString &filePath, quint64 revision, const SaveRe
     mProject.buffers = report.buffers;
     const bool isOtherFile = filePath != mFilePath;
     mFilePath = filePath;
+    mLocks->keepOnly(filePath);
     if (isOtherFile)
         mReadOnlyReason.clear();
     mReadOnly = !mReadOnlyReason.isEmpty();

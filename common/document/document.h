@@ -4,6 +4,7 @@
 #pragma once
 
 #include "document/change_event.h"
+#include "document/held_locks.h"
 #include "project/project.h"
 #include "project/saving/project_lock.h"
 #include "project/saving/project_save.h"
@@ -57,9 +58,9 @@ public:
     /// Back to an empty document with a new project id. Emits changed(DocumentReset).
     void reset();
 
-    /// The lock is held until another one takes its place or the document goes.
-    void setLock(std::optional<ProjectLock> lock);
-    bool holdsLock() const { return mLock.has_value(); }
+    /// The locks this document holds, for the workers that save it.
+    const std::shared_ptr<HeldLocks> &locks() const { return mLocks; }
+    bool holdsLock() const { return !mFilePath.isEmpty() && mLocks->has(mFilePath); }
     /// Tells that the content of \a revision is in \a filePath now.
     void markSaved(const QString &filePath, quint64 revision, const SaveReport &report);
     /// Tells that a recovered document is not in any file yet.
@@ -89,7 +90,7 @@ private:
 
     QUndoStack mUndoStack;
     Project mProject;
-    std::optional<ProjectLock> mLock;
+    std::shared_ptr<HeldLocks> mLocks;
     QString mFilePath;
     QString mUntitledName;
     QString mReadOnlyReason;

@@ -33,22 +33,28 @@ std::filesystem::path enginePath(const QString &path)
     return std::filesystem::path(QFile::encodeName(path).toStdString());
 }
 
-Result<OpenedProject> openProjectFile(const QString &path, const QString &application)
+Result<OpenedProject> openProjectFile(const QString &path, const QString &application, bool isLocked)
 {
     OpenedProject opened;
     opened.filePath = QFileInfo(path).absoluteFilePath();
-    // The lock first: between reading and locking another program could save.
-    Result<ProjectLock> lock = ProjectLock::acquire(enginePath(opened.filePath), application.toStdString());
+    // The lock first: between reading and locking another program could save. None for a file that is not
+    // there: that would leave a lock file behind.
+    if (!isLocked && QFileInfo(opened.filePath).isFile()) {
+        Result<ProjectLock> lock =
+            ProjectLock::acquire(enginePath(opened.filePath), application.toStdString());
+        if (lock)
+            opened.lock.emplace(std::move(lock).value());
+        else
+            opened.readOnlyReason = inWords(lock.error());
+    }
     Result<Project> project = openProject(enginePath(opened.filePath));
     if (!project)
         return project.error();
     opened.project = std::move(project).value();
-    if (!lock)
-        opened.readOnlyReason = inWords(lock.error());
-    else if (!QFileInfo(opened.filePath).isWritable())
+    if (opened.readOnlyReason.isEmpty() && !QFileInfo(opened.filePath).isWritable()) {
         opened.readOnlyReason = text("the file may not be written");
-    else
-        opened.lock.emplace(std::move(lock).value());
+        opened.lock.reset();
+    }
     return opened;
 }
 
@@ -59,7 +65,8 @@ Result<OpenNotes> adoptProject(Document &document, OpenedProject opened)
         notes.warnings << QString::fromStdString(warning);
     if (Result<void> loaded = document.load(std::move(opened.project), opened.filePath); !loaded)
         return loaded.error();
-    document.setLock(std::move(opened.lock));
+    if (opened.lock)
+        document.locks()->add(opened.filePath, std::move(*opened.lock));
     if (!document.isReadOnly() && !opened.readOnlyReason.isEmpty())
         document.setReadOnly(opened.readOnlyReason);
     if (document.isReadOnly())
@@ -75,37 +82,30 @@ SaveRequest saveRequest(const Document &document, const QString &path)
     request.project = document.snapshot();
     request.application = QCoreApplication::applicationName();
     request.revision = document.revision();
-    request.needsLock = request.filePath != document.filePath() || !document.holdsLock();
+    request.locks = document.locks();
     return request;
 }
 
-Result<SaveOutcome> writeSave(const SaveRequest &request)
+Result<SaveReport> writeSave(const SaveRequest &request)
 {
-    SaveOutcome outcome;
-    const std::filesystem::path path = enginePath(request.filePath);
-    if (request.needsLock) {
-        Result<ProjectLock> lock = ProjectLock::acquire(path, request.application.toStdString());
-        if (!lock)
-            return lock.error();
-        outcome.lock.emplace(std::move(lock).value());
-    }
-    Result<SaveReport> report = saveProject(request.project, path);
-    if (!report)
-        return report.error();
-    outcome.report = std::move(report).value();
-    return outcome;
+    if (Result<void> lock = request.locks->use(request.filePath, request.application.toStdString()); !lock)
+        return lock.error();
+    Result<SaveReport> report = saveProject(request.project, enginePath(request.filePath));
+    request.locks->release(request.filePath);
+    return report;
 }
 
 JobId openDocument(Document &document, JobRunner &runner, const QString &path,
                    std::function<void(Result<OpenNotes>)> finish)
 {
     const QString application = QCoreApplication::applicationName();
+    const bool isLocked = document.holdsLock() && document.filePath() == QFileInfo(path).absoluteFilePath();
     const JobSpec spec{QStringLiteral("open"), text("Opening %1").arg(QFileInfo(path).fileName())};
     return runner.start<OpenedProject>(
         spec,
-        [path, application](const JobControl &control) {
+        [path, application, isLocked](const JobControl &control) {
             control.progress(0.0, text("Reading the file").toStdString());
-            return openProjectFile(path, application);
+            return openProjectFile(path, application, isLocked);
         },
         [target = QPointer(&document), finish](Result<OpenedProject> opened) {
             if (!target)
@@ -121,25 +121,19 @@ JobId saveDocument(Document &document, JobRunner &runner, const QString &path,
                    std::function<void(Result<SaveReport>)> finish)
 {
     auto request = std::make_shared<SaveRequest>(saveRequest(document, path));
-    // Not to be replaced by the next save half way, and not to be cancelled: it takes a second.
-    const JobSpec spec{{}, text("Saving %1").arg(QFileInfo(request->filePath).fileName()), false, false};
-    return runner.start<SaveOutcome>(
+    // One after the other, and not to be cancelled half way: it takes a second.
+    const JobSpec spec{QStringLiteral("save"), text("Saving %1").arg(QFileInfo(request->filePath).fileName()),
+                       false, false, true};
+    return runner.start<SaveReport>(
         spec,
         [request](const JobControl &control) {
             control.progress(0.0, text("Writing the file").toStdString());
             return writeSave(*request);
         },
-        [target = QPointer(&document), request, finish](Result<SaveOutcome> outcome) {
-            if (!outcome) {
-                finish(outcome.error());
-                return;
-            }
-            if (target) {
-                if (outcome->lock)
-                    target->setLock(std::move(outcome->lock));
-                target->markSaved(request->filePath, request->revision, outcome->report);
-            }
-            finish(std::move(outcome->report));
+        [target = QPointer(&document), request, finish](Result<SaveReport> report) {
+            if (report && target)
+                target->markSaved(request->filePath, request->revision, *report);
+            finish(std::move(report));
         });
 }
 

@@ -35,18 +35,13 @@ struct SaveRequest
     QString filePath;
     QString application; // for the lock
     quint64 revision = 0;
-    bool needsLock = false; // the document holds none for this path
+    std::shared_ptr<HeldLocks> locks; // of the document
 };
 
-struct SaveOutcome
-{
-    SaveReport report;
-    std::optional<ProjectLock> lock; // if one was needed
-};
-
-/// Reads the project at \a path and takes its lock; a project that is locked or lies in a folder that cannot
-/// be written is opened read-only. Errors: those of openProject(). For workers.
-Result<OpenedProject> openProjectFile(const QString &path, const QString &application);
+/// Reads the project at \a path and takes its lock, unless \a isLocked says that it is ours already; a
+/// project that is locked or lies in a folder that cannot be written is opened read-only. Errors: those of
+/// openProject(). For workers.
+Result<OpenedProject> openProjectFile(const QString &path, const QString &application, bool isLocked = false);
 
 /// Puts \a opened into \a document. Errors: those of its readFrom(); nothing changed then. UI thread.
 Result<OpenNotes> adoptProject(Document &document, OpenedProject opened);
@@ -54,8 +49,9 @@ Result<OpenNotes> adoptProject(Document &document, OpenedProject opened);
 /// A snapshot of \a document to be saved at \a path. UI thread.
 SaveRequest saveRequest(const Document &document, const QString &path);
 
-/// Writes the file. Errors: Locked, those of saveProject(). For workers.
-Result<SaveOutcome> writeSave(const SaveRequest &request);
+/// Takes the lock unless the document has it, and writes the file. Errors: Locked, those of saveProject().
+/// For workers.
+Result<SaveReport> writeSave(const SaveRequest &request);
 
 /// Opens \a path into \a document as one job of \a runner; the document must outlive the runner's jobs or be
 /// destroyed before: then nothing is done. The document stays as it was on failure.

@@ -19,6 +19,7 @@ namespace ductus {
 
 void MainWindowShell::addShellActions()
 {
+    const QStringList before = actions().ids();
     addUndoActions();
     const QString view = tr("View");
     ActionCatalogue &all = actions();
@@ -26,7 +27,7 @@ void MainWindowShell::addShellActions()
         all.addToggle({"view.inspector",
                        tr("&Inspector"),
                        tr("Shows or hides the column at the right."),
-                       {},
+                       "inspector",
                        {QKeySequence("F9")},
                        view},
                       [this](bool on) { mInspector->setVisible(on && !isStartPageShown()); });
@@ -85,19 +86,23 @@ void MainWindowShell::addShellActions()
     QAction *help = all.add({"help.manual",
                              tr("&Manual"),
                              tr("Opens the manual at what you are working with."),
-                             "help-contextual",
+                             "help",
                              {QKeySequence("F1")},
                              tr("Help")},
                             [this] { requestHelp(); });
     all.add({"file.quit",
              tr("&Quit"),
              tr("Closes this window; asks before anything is lost."),
-             {},
+             "quit",
              {QKeySequence("Ctrl+Q")},
              tr("File")},
             [this] { close(); });
     mTopRow->setSearchAction(search);
     mTopRow->setHelpAction(help);
+    for (const QString &id : all.ids()) {
+        if (!before.contains(id))
+            mShellActions << id;
+    }
 }
 
 void MainWindowShell::addUndoActions()
@@ -232,8 +237,10 @@ void MainWindowShell::openSettings()
 
 void MainWindowShell::openActionSearch()
 {
-    if (!mSearch)
+    if (!mSearch) {
         mSearch = new ActionSearch(actions(), this);
+        mSearch->setLast(mShellActions);
+    }
     mSearch->openOver(*this);
 }
 

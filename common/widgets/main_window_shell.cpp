@@ -164,6 +164,8 @@ void MainWindowShell::showCanvas()
     if (!mCanvas)
         return;
     mStack->setCurrentWidget(mCanvas);
+    mTopRow->setCentreVisible(true);
+    mHint->setVisible(true);
     mTools->show();
     mInspector->setVisible(!actions().action("view.inspector") ||
                            actions().action("view.inspector")->isChecked());
@@ -174,6 +176,8 @@ void MainWindowShell::showStartPage()
 {
     mStack->setCurrentWidget(mStartPage);
     // Nothing to work on: the tools would only be in the way.
+    mTopRow->setCentreVisible(false);
+    mHint->setVisible(false);
     mTools->hide();
     mInspector->hide();
     mStripPlace->hide();

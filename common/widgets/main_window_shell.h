@@ -185,6 +185,7 @@ private:
     JobChip *mJobChip = nullptr;
     UndoPanel *mUndoPanel = nullptr;
     ActionSearch *mSearch = nullptr;
+    QStringList mShellActions; // ids
     QPointer<SettingsDialog> mSettingsDialog;
     struct SettingsPage
     {

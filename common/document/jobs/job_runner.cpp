@@ -90,7 +90,8 @@ JobId JobRunner::startErased(const JobSpec &spec, Work work, Done done)
         // keeps a slider that is dragged from starting a hundred threads.
         for (const std::shared_ptr<Job> &other : std::vector(mJobs)) {
             if (other->spec.key == spec.key) {
-                cancel(other->id);
+                if (!spec.isQueued)
+                    cancel(other->id);
                 job->waitsFor = other->id;
             }
         }
@@ -158,7 +159,7 @@ void JobRunner::finishJob(JobId id)
 void JobRunner::cancel(JobId id)
 {
     const std::shared_ptr<Job> job = find(id);
-    if (!job || job->cancelFlag.exchange(true))
+    if (!job || !job->spec.canCancel || job->cancelFlag.exchange(true))
         return;
     {
         const std::lock_guard guard(job->mutex);

@@ -30,7 +30,8 @@ struct JobSpec
     QString key;           // jobs with the same key replace each other; empty: independent of all others
     QString title;         // "Surfacing the sketch"
     bool isQuiet = false;  // not shown to the user: autosave, thumbnails
-    bool canCancel = true; // false: no button; the runner's destructor still asks it to stop
+    bool canCancel = true; // false: cancel() and replacing leave it alone
+    bool isQueued = false; // waits for those of the same key instead of replacing them
 };
 
 /// How far a job is.
@@ -72,7 +73,8 @@ public:
         return startErased(spec, std::move(run), std::move(done));
     }
 
-    /// Asks the job to stop; its finish follows with a Cancelled error. Unknown ids are ignored.
+    /// Asks the job to stop; its finish follows with a Cancelled error. Unknown ids, and jobs that cannot be
+    /// cancelled, are left alone.
     void cancel(JobId id);
     void cancelKey(const QString &key);
     void cancelAll();

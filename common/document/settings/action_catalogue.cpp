@@ -18,6 +18,14 @@ bool canMeet(const QString &modeA, const QString &modeB)
     return modeA.isEmpty() || modeB.isEmpty() || modeA == modeB;
 }
 
+// Without the one empty sequence Qt makes of an empty text.
+QList<QKeySequence> sequencesFrom(const QString &text)
+{
+    QList<QKeySequence> sequences = QKeySequence::listFromString(text, QKeySequence::PortableText);
+    sequences.removeIf([](const QKeySequence &sequence) { return sequence.isEmpty(); });
+    return sequences;
+}
+
 } // namespace
 
 QString plainText(const QString &actionText)
@@ -155,9 +163,7 @@ void ActionCatalogue::setDisabledReason(const QString &id, const QString &reason
 void ActionCatalogue::applyShortcuts(Entry &entry)
 {
     const QVariant own = mSettings ? mSettings->raw(keyOf(entry.spec.id)) : QVariant();
-    entry.action->setShortcuts(own.isValid()
-                                   ? QKeySequence::listFromString(own.toString(), QKeySequence::PortableText)
-                                   : entry.spec.shortcuts);
+    entry.action->setShortcuts(own.isValid() ? sequencesFrom(own.toString()) : entry.spec.shortcuts);
     updateToolTip(entry);
 }
 

@@ -1,5 +1,6 @@
 #include "document/settings/pressure_curve.h"
 
+#include <QLocale>
 #include <QStringList>
 #include <algorithm>
 #include <cmath>
@@ -73,7 +74,9 @@ QString PressureCurve::toText() const
 {
     QStringList texts;
     for (const QPointF &point : mPoints)
-        texts << QStringLiteral("%1,%2").arg(point.x(), 0, 'g', 6).arg(point.y(), 0, 'g', 6);
+        texts << QStringLiteral("%1,%2")
+                     .arg(point.x(), 0, 'g', QLocale::FloatingPointShortest)
+                     .arg(point.y(), 0, 'g', QLocale::FloatingPointShortest);
     return texts.join(QLatin1Char(' '));
 }
 

@@ -24,7 +24,7 @@ FoldingSection::FoldingSection(const QString &title, QWidget *content, QWidget *
     connect(mHeading, &QToolButton::clicked, this, [this] { setFolded(!mIsFolded); });
 
     auto *row = new QHBoxLayout(mHeadingRow);
-    row->setContentsMargins(8, 4, 8, 0);
+    row->setContentsMargins(8, 4, 16, 0);
     row->setSpacing(4);
     row->addWidget(mHeading);
     mLayout->setContentsMargins(0, 0, 0, 0);

@@ -64,7 +64,7 @@ void PressureCurveEditor::paintEvent(QPaintEvent *)
     const QRectF f = field();
     painter.setPen(QPen(hasFocus() ? colours.accent : colours.line, 1.0));
     painter.setBrush(palette().color(QPalette::Base));
-    painter.drawRoundedRect(f.adjusted(-4, -4, 4, 4), 6.0, 6.0);
+    painter.drawRoundedRect(f.adjusted(-11.5, -11.5, 11.5, 11.5), 6.0, 6.0);
     painter.setPen(QPen(colours.line, 1.0));
     for (int i = 1; i < 4; ++i) {
         painter.drawLine(QPointF(f.left() + f.width() * i / 4, f.top()),

@@ -76,14 +76,14 @@ void PressureTestField::paintEvent(QPaintEvent *)
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(QPen(colours.line, 1.0));
     painter.setBrush(palette().color(QPalette::Base));
-    painter.drawRoundedRect(QRectF(rect()).adjusted(8.5, 8.5, -8.5, -8.5), 6.0, 6.0);
+    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 6.0, 6.0);
     if (mStrokes.isEmpty()) {
         painter.setPen(colours.dim);
         painter.drawText(rect().adjusted(24, 24, -24, -24), int(Qt::AlignCenter | Qt::TextWordWrap),
                          tr("Draw here with your pen to try the curve."));
         return;
     }
-    painter.setClipRect(rect().adjusted(9, 9, -9, -9));
+    painter.setClipRect(rect().adjusted(1, 1, -1, -1));
     for (qsizetype i = 0; i < mStrokes.size(); ++i) {
         const Dot &dot = mStrokes[i];
         const QPointF before = dot.isFirst || i == 0 ? dot.position : mStrokes[i - 1].position;

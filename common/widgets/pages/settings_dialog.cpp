@@ -21,6 +21,7 @@ SettingsDialog::SettingsDialog(QWidget *parent)
     mList->setAccessibleName(tr("Pages"));
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     buttons->button(QDialogButtonBox::Close)->setAccessibleName(tr("Close"));
+    buttons->button(QDialogButtonBox::Close)->setIcon({});
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(mList, &QListWidget::currentRowChanged, mPages, &QStackedWidget::setCurrentIndex);
     auto *row = new QHBoxLayout;

@@ -16,7 +16,8 @@ namespace ductus {
 
 namespace {
 
-constexpr int leftWidth = 312;
+constexpr int rowInset = 8; // of a recent file's picture in its row
+constexpr int leftWidth = 312 + rowInset;
 constexpr int outerMargin = 32;
 constexpr int cardGap = 24;
 
@@ -68,7 +69,7 @@ StartPage::StartPage(QWidget *parent)
     mNew->setProperty("primary", true);
     mNew->setIcon(icon(QStringLiteral("document-new"), IconTint::OnAccent));
     mOpen->setIcon(icon(QStringLiteral("document-open")));
-    mOpen->setMinimumHeight(38);
+    mOpen->setProperty("large", true);
     for (QPushButton *button : {mNew, mOpen}) {
         button->setIconSize({16, 16});
         button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
@@ -84,7 +85,7 @@ StartPage::StartPage(QWidget *parent)
     auto *left = new QWidget;
     left->setFixedWidth(leftWidth);
     auto *leftLayout = new QVBoxLayout(left);
-    leftLayout->setContentsMargins(0, outerMargin, 0, 24);
+    leftLayout->setContentsMargins(rowInset, outerMargin, 0, 24);
     leftLayout->setSpacing(8);
     leftLayout->addWidget(mTitle);
     leftLayout->addWidget(mSentence);
@@ -97,7 +98,11 @@ StartPage::StartPage(QWidget *parent)
     leftLayout->addLayout(mNotice);
     leftLayout->addSpacing(16);
     leftLayout->addWidget(mRecentHeading);
-    leftLayout->addWidget(scrolling(recentColumn, tr("Recent files")), 1);
+    // The rows reach out by their inset, so that their pictures stand below the headings.
+    auto *recentPlace = new QHBoxLayout;
+    recentPlace->setContentsMargins(-rowInset, 0, 0, 0);
+    recentPlace->addWidget(scrolling(recentColumn, tr("Recent files")));
+    leftLayout->addLayout(recentPlace, 1);
     leftLayout->addWidget(mDrop);
 
     auto *cards = new QWidget;
@@ -113,7 +118,7 @@ StartPage::StartPage(QWidget *parent)
     right->addWidget(scrolling(cards, tr("Samples")), 1);
 
     auto *layout = new QHBoxLayout(this);
-    layout->setContentsMargins(outerMargin, 0, 16, 0);
+    layout->setContentsMargins(outerMargin - rowInset, 0, 16, 0);
     layout->setSpacing(48);
     layout->addWidget(left);
     layout->addLayout(right, 1);

@@ -88,7 +88,8 @@ void ActionSearch::refresh()
     const auto rank = [&](const Hit &hit) {
         const qsizetype recent = mRecent.indexOf(hit.id);
         const int bonus = recent < 0 ? 0 : (typed.trimmed().isEmpty() ? 1000 : 6) - int(recent);
-        return hit.match.score + bonus - (mActions.action(hit.id)->isEnabled() ? 0 : 15);
+        const int late = typed.trimmed().isEmpty() && mLast.contains(hit.id) ? 40 : 0;
+        return hit.match.score + bonus - late - (mActions.action(hit.id)->isEnabled() ? 0 : 15);
     };
     std::stable_sort(hits.begin(), hits.end(), [&](const Hit &a, const Hit &b) { return rank(a) > rank(b); });
 

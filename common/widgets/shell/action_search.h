@@ -20,6 +20,8 @@ public:
 
     /// Opens in the upper middle of \a window.
     void openOver(const QWidget &window);
+    /// Actions to show after all others while nothing is typed.
+    void setLast(const QStringList &ids) { mLast = ids; }
     /// Ids in the order shown, for tests.
     QStringList shownIds() const;
     QLineEdit *field() const { return mField; }
@@ -35,6 +37,7 @@ private:
     QLineEdit *mField;
     QListWidget *mList;
     QStringList mRecent; // newest first
+    QStringList mLast;
 };
 
 } // namespace ductus

@@ -28,13 +28,11 @@ public:
         setText(text);
         mFraction = fraction;
         setAccessibleName(text);
-        updateGeometry();
+        // On the grid and not shrinking with every digit, so that it does not tremble.
+        const int wanted = std::min(longestWords, fontMetrics().horizontalAdvance(text)) + 22;
+        if (wanted > width() || wanted < width() - 48 || !isVisible())
+            setFixedSize((wanted + 7) / 8 * 8, chipHeight);
         update();
-    }
-
-    QSize sizeHint() const override
-    {
-        return {std::min(longestWords, fontMetrics().horizontalAdvance(text())) + 20, chipHeight};
     }
 
 protected:
@@ -70,7 +68,7 @@ JobChip::JobChip(JobRunner &runner, QWidget *parent)
     setAccessibleName(tr("Running jobs"));
     mFace->setFocusPolicy(Qt::TabFocus);
     mFace->setToolTip(tr("What is being worked on. Click for the list."));
-    mCancel->setIcon(icon(QStringLiteral("window-close")));
+    mCancel->setIcon(icon(QStringLiteral("close")));
     mCancel->setIconSize({16, 16});
     mCancel->setFixedSize(chipHeight, chipHeight);
     mCancel->setFocusPolicy(Qt::TabFocus);

@@ -17,7 +17,7 @@ JobRow::JobRow(JobId id, QWidget *parent)
     mTitle->setProperty("heading", true);
     mStage->setProperty("dim", true);
     mTime->setProperty("dim", true);
-    mCancel->setIcon(icon(QStringLiteral("window-close")));
+    mCancel->setIcon(icon(QStringLiteral("close")));
     mCancel->setIconSize({16, 16});
     mCancel->setFixedSize(28, 28);
     mCancel->setToolTip(tr("Stop this job; what was there before stays."));

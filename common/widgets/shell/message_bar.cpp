@@ -86,7 +86,7 @@ MessageBar::MessageBar(QWidget *parent)
     mText->setTextInteractionFlags(Qt::TextSelectableByMouse);
     mText->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     mCount->setProperty("dim", true);
-    mClose->setIcon(icon(QStringLiteral("window-close")));
+    mClose->setIcon(icon(QStringLiteral("close")));
     mClose->setIconSize({16, 16});
     mClose->setFixedSize(28, 28);
     mClose->setAccessibleName(tr("Close message"));

@@ -46,7 +46,7 @@ TopRow::TopRow(QWidget *parent)
     mSearch->setIcon(icon(QStringLiteral("edit-find")));
     mSearch->setIconSize({16, 16});
     mSearch->setObjectName(QStringLiteral("searchField"));
-    mHelp->setIcon(icon(QStringLiteral("help-contextual")));
+    mHelp->setIcon(icon(QStringLiteral("help")));
     mHelp->setIconSize({16, 16});
     mHelp->setFixedSize(28, 28);
     mHelp->setFocusPolicy(Qt::TabFocus);
@@ -62,8 +62,16 @@ void TopRow::setCentre(QWidget *widget)
     mCentre = widget;
     if (mCentre) {
         mCentre->setParent(this);
-        mCentre->show();
+        mCentre->setVisible(mIsCentreVisible);
     }
+    arrange();
+}
+
+void TopRow::setCentreVisible(bool visible)
+{
+    mIsCentreVisible = visible;
+    if (mCentre)
+        mCentre->setVisible(visible);
     arrange();
 }
 
@@ -98,7 +106,7 @@ void TopRow::fillFoldedMenu()
 // search.
 void TopRow::arrange()
 {
-    const int centreWidth = mCentre ? mCentre->sizeHint().width() : 0;
+    const int centreWidth = mCentre && mIsCentreVisible ? mCentre->sizeHint().width() : 0;
     const int menuWidth = mMenuBar->sizeHint().width();
     const auto setSearchWide = [&](bool wide) {
         mSearch->setText(wide ? tr("Search actions") : QString());

@@ -22,6 +22,8 @@ public:
     QMenuBar *menuBar() { return mMenuBar; }
     /// Takes the widget.
     void setCentre(QWidget *widget);
+    /// The centre is hidden, with its keys, while there is nothing to see.
+    void setCentreVisible(bool visible);
     void addAtRight(QWidget *widget);
     void setSearchAction(QAction *action);
     void setHelpAction(QAction *action);
@@ -44,6 +46,7 @@ private:
     QPushButton *mSearch;
     QToolButton *mHelp;
     bool mIsFolded = false;
+    bool mIsCentreVisible = true;
 };
 
 } // namespace ductus

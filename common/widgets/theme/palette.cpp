@@ -76,9 +76,12 @@ ThemeColours themeColours(bool dark, AppKind app)
     c.disabled = mixed(c.dim, c.panel, 0.45);
     c.hover = dark ? mixed(c.raised, c.text, 0.08) : mixed(c.panel, c.text, 0.05);
     c.pressed = dark ? mixed(c.raised, c.text, 0.16) : mixed(c.panel, c.text, 0.11);
-    // In the dark the accent shines and carries dark words; in the light it is deepened for white ones.
-    c.onAccent = QColor(dark ? "#0f1318" : "#ffffff");
-    c.button = dark ? c.accent : readableOn(c.accent, c.onAccent, Qt::black);
+    // In the dark the accent shines and carries dark words; in the light it is deepened for white ones,
+    // unless it is so bright a colour that it would become another one.
+    const QColor deepened = readableOn(c.accent, Qt::white, Qt::black);
+    const bool carriesDark = dark || contrast(c.accent, Qt::white) < 2.8;
+    c.onAccent = QColor(carriesDark ? "#0f1318" : "#ffffff");
+    c.button = carriesDark ? c.accent : deepened;
 
     // The ground hardest to read on: of all that words stand on, the one nearest to them.
     const QColor hardest = dark ? c.hover : mixed(c.window, c.text, 0.06);

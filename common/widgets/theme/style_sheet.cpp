@@ -20,6 +20,7 @@ QPushButton[primary="true"]:hover { background: @buttonHover; border-color: @but
 QPushButton[primary="true"]:pressed { background: @buttonPressed; }
 QPushButton[primary="true"]:focus { border: 2px solid @text; }
 QPushButton[primary="true"]:disabled { background: @raised; color: @disabled; border-color: @line; }
+QPushButton[large="true"] { min-height: 34px; }
 QPushButton[flat="true"] { background: transparent; border-color: transparent; text-align: left; }
 QPushButton[flat="true"]:hover { background: @hover; }
 QPushButton[flat="true"]:focus { border-color: @accent; }
@@ -32,13 +33,13 @@ QToolButton:focus { border-color: @accent; }
 QToolButton:disabled { color: @disabled; }
 QToolButton::menu-indicator { image: none; }
 
-QLineEdit, QAbstractSpinBox, QComboBox, QKeySequenceEdit { background: @field; color: @text; border: 1px solid @line;
+QLineEdit, QAbstractSpinBox, QComboBox { background: @field; color: @text; border: 1px solid @line;
     border-radius: 6px; min-height: 26px; selection-background-color: @selected; selection-color: @text; }
 QLineEdit { padding: 0 8px; }
 QAbstractSpinBox { padding: 0 2px 0 6px; }
-QLineEdit:focus, QAbstractSpinBox:focus, QComboBox:focus, QKeySequenceEdit:focus { border-color: @accent; }
+QLineEdit:focus, QAbstractSpinBox:focus, QComboBox:focus { border-color: @accent; }
 QLineEdit:disabled, QAbstractSpinBox:disabled, QComboBox:disabled { color: @disabled; }
-QSpinBox QLineEdit, QDoubleSpinBox QLineEdit, QKeySequenceEdit QLineEdit { border: none; min-height: 0; padding: 0;
+QSpinBox QLineEdit, QDoubleSpinBox QLineEdit { border: none; min-height: 0; padding: 0;
     background: transparent; }
 QComboBox { padding: 0 8px; }
 QComboBox::drop-down { border: none; width: 20px; }
@@ -80,11 +81,25 @@ QLabel[dim="true"] { color: @dim; }
 QLabel[heading="true"] { font-weight: 600; }
 QLabel[caption="true"] { color: @dim; font-weight: 600; }
 
+QCheckBox, QRadioButton { spacing: 8px; min-height: 24px; }
+QCheckBox::indicator, QRadioButton::indicator { width: 16px; height: 16px; border: 1px solid @dim; background: @field; }
+QCheckBox::indicator { border-radius: 4px; }
+QRadioButton::indicator { border-radius: 9px; }
+QCheckBox::indicator:hover, QRadioButton::indicator:hover, QCheckBox:focus, QRadioButton:focus { border-color: @accent; }
+QCheckBox::indicator:focus, QRadioButton::indicator:focus { border: 2px solid @accent; width: 14px; height: 14px; }
+QCheckBox::indicator:checked, QRadioButton::indicator:checked { background: @button; border-color: @button; }
+QCheckBox::indicator:checked { image: url(:/ductus/shapes/@check); }
+QRadioButton::indicator:checked { image: url(:/ductus/shapes/@spot); }
+QCheckBox::indicator:disabled, QRadioButton::indicator:disabled { border-color: @line; }
+QListWidget::item { border-radius: 4px; padding-left: 4px; }
+#searchField { text-align: left; background: @field; color: @dim; padding: 0 8px; }
+#searchField:hover { background: @hover; color: @text; }
+
 #topRow { background: @panel; border-bottom: 1px solid @line; }
 #toolRail { background: @panel; border-right: 1px solid @line; }
 #inspector { background: @panel; border-left: 1px solid @line; }
 #appStrip { background: @panel; border-top: 1px solid @line; }
-#foldingHeading { text-align: left; font-weight: 600; border-radius: 4px; padding: 0 4px; }
+#foldingHeading { text-align: left; font-weight: 600; border-radius: 4px; padding: 0 4px 0 1px; }
 #sectionLine { background: @line; }
 #messageBar { border: none; border-bottom: 1px solid @line; }
 #messageBar[kind="info"] { background: @infoGround; }
@@ -117,6 +132,8 @@ QString styleSheet(const ThemeColours &c)
         {"@window", c.window.name()},
         {"@raised", c.raised.name()},
         {"@handle", mixed(c.line, c.dim, 0.25).name()},
+        {"@check", c.onAccent.lightness() < 128 ? "check-dark.svg" : "check-light.svg"},
+        {"@spot", c.onAccent.lightness() < 128 ? "dot-dark.svg" : "dot-light.svg"},
         {"@arrow", c.isDark ? "arrow-down-dark.svg" : "arrow-down-light.svg"},
         {"@panel", c.panel.name()},
         {"@hover", c.hover.name()},
