@@ -76,7 +76,8 @@ void SketchView::rebuildTubes()
     const bool isAlone = mMode == ViewMode::Sketch || !mScene.has(meshOfMode(mMode));
     const double radius = strokeRadius();
     for (const ViewLine &line : mStrokes)
-        appendTube(line.points, radius * line.width * (isAlone ? 1.0 : 0.8), line.colours, 6, tubes);
+        appendTube(line.points, radius * line.width * (isAlone ? 1.0 : 0.8),
+                   isAlone || line.coloursOnMesh.empty() ? line.colours : line.coloursOnMesh, 6, tubes);
     if (mDivider)
         for (const ViewLine &line : mStrokes)
             appendTube(line.points, radius * line.width, line.colours, 6, sketch);
@@ -121,8 +122,11 @@ void SketchView::setGround(const GroundShadow &shadow)
 
 void SketchView::setMode(ViewMode mode)
 {
+    if (mode == mMode)
+        return;
     mMode = mode;
     rebuildTubes();
+    emit modeChanged(mode);
 }
 
 void SketchView::setStrokesShown(bool shown)

@@ -29,8 +29,9 @@ struct ViewMesh
 struct ViewLine
 {
     std::vector<Vec3> points;
-    std::vector<Rgba> colours; // one a point, or one
-    double width = 1.0;        // times the usual
+    std::vector<Rgba> colours;       // one a point, or one
+    std::vector<Rgba> coloursOnMesh; // the same where a mesh is shown, too; empty: as colours
+    double width = 1.0;              // times the usual
 };
 
 class SketchView : public VtkWidget
@@ -66,6 +67,8 @@ public:
     void setPerspective(bool on);
     /// All of it is seen.
     void frameAll();
+    /// The next extent is framed anew: another sketch.
+    void forgetFraming() { mFramed = false; }
     void orbitBy(const QPointF &pixels);
     void zoomBy(double factor);
     double metresPerUnit() const { return mMetresPerUnit; }
@@ -86,6 +89,7 @@ public:
     bool cancelTool();
 
 signals:
+    void modeChanged(ductus::ViewMode mode);
     void cameraMoved();
     void comparisonMoved(double divider);
 

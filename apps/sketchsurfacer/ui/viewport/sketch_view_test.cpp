@@ -42,7 +42,6 @@ void SketchViewTest::showsWhatItIsGiven()
     view.setStrokes({{{{0, 0, 1}, {1, 0, 0}}, {{60, 140, 255, 255}}, 1.0}});
     view.setGround(groundShadow(mesh.vertices, UpAxis::Y, 0.5));
     QTRY_VERIFY(view.frameCount() > 0);
-    
 }
 
 QTEST_MAIN(SketchViewTest)

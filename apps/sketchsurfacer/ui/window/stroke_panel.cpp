@@ -1,0 +1,96 @@
+#include "sketchsurfacer/ui/window/stroke_panel.h"
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QPushButton>
+#include <algorithm>
+
+namespace ductus {
+
+namespace {
+
+constexpr StrokeRole roles[] = {StrokeRole::Surface, StrokeRole::Boundary, StrokeRole::Ignored,
+                                StrokeRole::Inner, StrokeRole::Skeletal};
+
+QIcon roleIcon(StrokeRole role)
+{
+    const Rgba c = roleColour(role, true);
+    QPixmap pixmap(32, 32);
+    pixmap.setDevicePixelRatio(2.0);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(QColor(c[0], c[1], c[2]), 3.5, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(QPointF(3, 13), QPointF(13, 3));
+    return QIcon(pixmap);
+}
+
+} // namespace
+
+QString roleName(StrokeRole role)
+{
+    switch (role) {
+    case StrokeRole::Surface:
+        return StrokePanel::tr("on the surface");
+    case StrokeRole::Boundary:
+        return StrokePanel::tr("border of the surface");
+    case StrokeRole::Ignored:
+        return StrokePanel::tr("ignored");
+    case StrokeRole::Inner:
+        return StrokePanel::tr("inside, not used");
+    case StrokeRole::Skeletal:
+        return StrokePanel::tr("skeleton, not used");
+    }
+    return {};
+}
+
+StrokePanel::StrokePanel(SketchDocument &document, SketchPresenter &presenter, ToolBox &tools,
+                         QWidget *parent)
+    : QWidget(parent), mDocument(document), mPresenter(presenter), mTools(tools)
+{
+    auto *form = new QFormLayout(this);
+    form->setContentsMargins(0, 0, 0, 0);
+    form->setVerticalSpacing(6);
+    mChosen = new QLabel;
+    mRole = new QComboBox;
+    mRole->setAccessibleName(tr("Role"));
+    mRole->setToolTip(tr("With strokes chosen: what they are for. Otherwise: what the role brush paints."));
+    for (StrokeRole role : roles)
+        mRole->addItem(roleIcon(role), roleName(role), int(role));
+    mDelete = new QPushButton(tr("&Delete"));
+    mDelete->setToolTip(tr("Takes the chosen strokes out of the sketch (Del). Undo brings them back."));
+    form->addRow(mChosen, mDelete);
+    form->addRow(tr("&Role"), mRole);
+    connect(mRole, &QComboBox::activated, this, [this] {
+        const StrokeRole role = StrokeRole(mRole->currentData().toInt());
+        mTools.setBrushRole(role);
+        if (!mPresenter.selection().empty())
+            mDocument.setRole(mPresenter.selection(), role);
+    });
+    connect(mDelete, &QPushButton::clicked, this, [this] {
+        const std::vector<StrokeId> chosen = mPresenter.selection();
+        mPresenter.setSelection({});
+        mDocument.deleteStrokes(chosen);
+    });
+    connect(&presenter, &SketchPresenter::selectionChanged, this, &StrokePanel::refresh);
+    connect(&document, &Document::changed, this, &StrokePanel::refresh);
+    connect(&tools, &ToolBox::toolChanged, this, &StrokePanel::refresh);
+    refresh();
+}
+
+void StrokePanel::refresh()
+{
+    const std::vector<StrokeId> &chosen = mPresenter.selection();
+    mChosen->setText(chosen.empty() ? tr("No stroke chosen")
+                                    : tr("%n stroke(s) chosen", nullptr, int(chosen.size())));
+    mDelete->setEnabled(!chosen.empty());
+    StrokeRole shown = mTools.brushRole();
+    for (const Stroke &stroke : mDocument.strokes().strokes)
+        if (!chosen.empty() && stroke.id == chosen.front())
+            shown = stroke.role;
+    mRole->setCurrentIndex(int(std::find(std::begin(roles), std::end(roles), shown) - std::begin(roles)));
+}
+
+} // namespace ductus

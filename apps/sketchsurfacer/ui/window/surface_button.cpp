@@ -1,0 +1,86 @@
+#include "sketchsurfacer/ui/window/surface_button.h"
+
+#include "widgets/theme/icons.h"
+
+#include <QLabel>
+#include <QLocale>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace ductus {
+
+SurfaceButton::SurfaceButton(SketchDocument &document, SurfacingJobs &jobs, JobRunner &runner,
+                             QWidget *parent)
+    : QWidget(parent), mDocument(document), mJobs(jobs)
+{
+    auto *rows = new QVBoxLayout(this);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->setSpacing(6);
+    mButton = new QPushButton;
+    mButton->setObjectName(QStringLiteral("surfaceButton"));
+    mButton->setMinimumHeight(40);
+    mButton->setProperty("primary", true);
+    mProgress = new QProgressBar;
+    mProgress->setTextVisible(false);
+    mProgress->setFixedHeight(4);
+    mProgress->setRange(0, 1000);
+    mProgress->setAccessibleName(tr("Progress"));
+    QSizePolicy keep = mProgress->sizePolicy();
+    keep.setRetainSizeWhenHidden(true); // nothing jumps when it starts
+    mProgress->setSizePolicy(keep);
+    mState = new QLabel;
+    mState->setWordWrap(true);
+    mState->setProperty("dim", true);
+    rows->addWidget(mButton);
+    rows->addWidget(mProgress);
+    rows->addWidget(mState);
+    connect(mButton, &QPushButton::clicked, this, [this] {
+        if (mJobs.isRunning())
+            mJobs.cancel();
+        else
+            emit surfaceRequested();
+    });
+    connect(&jobs, &SurfacingJobs::runningChanged, this, &SurfaceButton::refresh);
+    connect(&document, &Document::changed, this, &SurfaceButton::refresh);
+    connect(&runner, &JobRunner::jobProgress, this, &SurfaceButton::showProgress);
+    refresh();
+}
+
+void SurfaceButton::refresh()
+{
+    const bool runs = mJobs.isRunning();
+    const auto result = mDocument.result();
+    mProgress->setVisible(runs);
+    mButton->setEnabled(!mDocument.isEmpty() && (runs || !result));
+    if (runs) {
+        mButton->setText(tr("Stop"));
+        mButton->setToolTip(tr("Stops and keeps the last surface (Esc)."));
+        return;
+    }
+    mProgress->setValue(0);
+    mButton->setText(mDocument.shownResult() ? tr("&Update") : tr("&Surface it"));
+    mButton->setToolTip(tr("Finds the surface the strokes describe (Ctrl+Enter)."));
+    if (mDocument.isEmpty())
+        mState->setText(tr("Open a sketch or draw strokes first."));
+    else if (result && result->surface)
+        mState->setText(tr("Up to date: %n region(s)", nullptr, int(result->surface->regions.size())) +
+                        (result->timings.total > 0.05
+                             ? tr(", %1 s").arg(locale().toString(result->timings.total, 'f', 1))
+                             : QString()));
+    else if (mDocument.shownResult())
+        mState->setText(tr("The surface is older than the sketch."));
+    else
+        mState->setText(
+            tr("%n stroke(s), not surfaced yet.", nullptr, int(mDocument.strokes().strokes.size())));
+}
+
+void SurfaceButton::showProgress(const JobState &state)
+{
+    if (state.spec.key != QLatin1String("surface") || !mJobs.isRunning())
+        return;
+    mProgress->setValue(int(1000 * state.fraction));
+    mState->setText(state.text);
+}
+
+} // namespace ductus

@@ -1,0 +1,310 @@
+// Opening, saving, importing and exporting in SketchSurfacer's window.
+#include "document/document_files.h"
+#include "sketchsurfacer/ui/window/sample_pictures.h"
+#include "sketchsurfacer/ui/window/surfacer_window.h"
+#include "widgets/pages/start_page.h"
+#include "widgets/shell/message_bar.h"
+#include "widgets/theme/theme.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QEventLoop>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMimeData>
+#include <QUrl>
+
+namespace ductus {
+
+namespace {
+
+inline const Setting<QStringList> recentFilesSetting{"files/recent", {}};
+constexpr int mostRecent = 12;
+
+bool isProxyFile(const QString &path)
+{
+    return isMeshExtension(enginePath(path)) && !path.endsWith(QLatin1String(".obj"), Qt::CaseInsensitive);
+}
+
+} // namespace
+
+void SurfacerWindow::fillStartPage()
+{
+    StartPage *page = startPage();
+    page->setHeading(tr("SketchSurfacer"),
+                     tr("From a 3D sketch to a surface you can print, render or take into CAD."));
+    page->setButtons(tr("New sketch"), tr("Open..."));
+    page->setDropSentence(tr("Drop a sketch (.curves, .obj, .txt), a proxy mesh or a project anywhere."));
+    const auto refresh = [this] {
+        QList<SampleCard> cards;
+        const bool dark = coloursOf(palette()).isDark;
+        for (const SampleSketch &sample : mSamples)
+            cards << SampleCard{sample.title, sample.lesson, samplePicturePath(sample, dark), sample.id};
+        startPage()->setSamples(cards);
+    };
+    const auto draw = [this, refresh] {
+        drawSamplePictures(jobs(), mSamples, coloursOf(palette()).isDark, refresh);
+    };
+    refresh();
+    draw();
+    connect(this, &MainWindowShell::themeChanged, this, [refresh, draw] {
+        refresh();
+        draw();
+    });
+    connect(page, &StartPage::newRequested, this, &SurfacerWindow::newSketch);
+    connect(page, &StartPage::openRequested, this, &SurfacerWindow::chooseAndOpen);
+    connect(page, &StartPage::openFile, this, &SurfacerWindow::openPath);
+    connect(page, &StartPage::openSample, this, &SurfacerWindow::openSample);
+    connect(page, &StartPage::forgetFile, this, [this](const QString &path) {
+        QStringList recent = settings().value(recentFilesSetting);
+        recent.removeAll(path);
+        settings().set(recentFilesSetting, recent);
+        refreshRecent();
+    });
+    refreshRecent();
+}
+
+void SurfacerWindow::refreshRecent()
+{
+    QList<RecentCard> cards;
+    for (const QString &path : settings().value(recentFilesSetting))
+        cards << RecentCard{path, {}, !QFileInfo::exists(path)};
+    startPage()->setRecent(cards);
+}
+
+void SurfacerWindow::remember(const QString &path)
+{
+    const QString absolute = QFileInfo(path).absoluteFilePath();
+    QStringList recent = settings().value(recentFilesSetting);
+    recent.removeAll(absolute);
+    recent.prepend(absolute);
+    settings().set(recentFilesSetting, QStringList(recent.mid(0, mostRecent)));
+    refreshRecent();
+}
+
+void SurfacerWindow::newSketch()
+{
+    if (!confirmLeaving())
+        return;
+    mSketch.start({}, defaultSurfaceOptions(), tr("Untitled"));
+    showCanvas();
+    mTools->setTool(ToolKind::DrawStroke);
+}
+
+void SurfacerWindow::chooseAndOpen()
+{
+    const QString path = QFileDialog::getOpenFileName(
+        this, tr("Open"), QFileInfo(settings().value(recentFilesSetting).value(0)).path(),
+        tr("Sketches and projects (*.ductus *.curves *.obj *.txt *.xyz *.crv);;Proxy meshes (*.ply *.stl "
+           "*.off *.glb "
+           "*.obj);;All files (*)"));
+    if (!path.isEmpty())
+        openPath(path);
+}
+
+void SurfacerWindow::openPath(const QString &path)
+{
+    if (path.endsWith(QLatin1String(".ductus"), Qt::CaseInsensitive)) {
+        openProject(path);
+    } else if (isProxyFile(path)) {
+        openProxy(path);
+    } else {
+        openSketch(tr("Reading %1").arg(QFileInfo(path).fileName()),
+                   [path](const JobControl &control) { return importSketch(path, control); });
+        remember(path);
+    }
+}
+
+void SurfacerWindow::openSample(const QString &id)
+{
+    for (const SampleSketch &sample : mSamples)
+        if (sample.id == id)
+            openSketch(tr("Opening %1").arg(sample.title),
+                       [sample](const JobControl &control) { return importSample(sample, control); });
+}
+
+void SurfacerWindow::pasteSketch()
+{
+    const QMimeData *data = QGuiApplication::clipboard()->mimeData();
+    if (data && data->hasUrls() && data->urls().first().isLocalFile()) {
+        openPath(data->urls().first().toLocalFile());
+        return;
+    }
+    const QString text = data ? data->text().trimmed() : QString();
+    if (text.isEmpty()) {
+        messages()->info(tr("The clipboard holds neither strokes nor a path to a file."));
+    } else if (text.size() < 4096 && !text.contains(QLatin1Char('\n')) && QFileInfo::exists(text)) {
+        openPath(text);
+    } else {
+        openSketch(tr("Reading the clipboard"),
+                   [bytes = text.toUtf8(), name = tr("Pasted")](const JobControl &control) {
+                       return importSketchText(bytes, name, control);
+                   });
+    }
+}
+
+void SurfacerWindow::openSketch(const QString &title,
+                                std::function<Result<ImportedSketch>(const JobControl &)> read)
+{
+    if (!confirmLeaving())
+        return;
+    jobs().start<ImportedSketch>({QStringLiteral("open"), title}, std::move(read),
+                                 [this](Result<ImportedSketch> sketch) {
+                                     if (sketch)
+                                         adoptSketch(std::move(*sketch));
+                                     else
+                                         showError(sketch.error());
+                                 });
+}
+
+void SurfacerWindow::adoptSketch(ImportedSketch sketch)
+{
+    messages()->closeAll();
+    mSketch.start(std::move(sketch.strokes), sketch.options, sketch.name);
+    showCanvas();
+    mView->setFocus();
+    if (!sketch.warnings.isEmpty())
+        messages()->warning(tr("Some of the sketch was skipped: %1").arg(sketch.warnings.first()),
+                            sketch.warnings.size() > 1
+                                ? tr("And %n more.", nullptr, int(sketch.warnings.size()) - 1)
+                                : QString());
+}
+
+void SurfacerWindow::openProxy(const QString &path)
+{
+    if (mSketch.isEmpty()) {
+        messages()->info(tr("A mesh serves as the proxy of a sketch. Open the sketch first, then the mesh."));
+        return;
+    }
+    using Mesh = std::shared_ptr<const TriangleMesh>;
+    auto work = [path](const JobControl &control) -> Result<Mesh> {
+        Result<TriangleMesh> mesh = readMesh(enginePath(path), control);
+        if (!mesh)
+            return mesh.error();
+        return Mesh(std::make_shared<const TriangleMesh>(std::move(*mesh)));
+    };
+    jobs().start<Mesh>({QStringLiteral("open"), tr("Reading the proxy")}, work,
+                       [this, path](Result<Mesh> mesh) {
+                           if (!mesh) {
+                               showError(mesh.error());
+                               return;
+                           }
+                           mSketch.setGivenProxy(*mesh);
+                           messages()->success(tr("%1 is the proxy now.").arg(QFileInfo(path).fileName()));
+                       });
+}
+
+void SurfacerWindow::openProject(const QString &path)
+{
+    if (!confirmLeaving())
+        return;
+    openDocument(mSketch, jobs(), path, [this, path](Result<OpenNotes> notes) {
+        if (!notes) {
+            showError(notes.error());
+            return;
+        }
+        messages()->closeAll();
+        remember(path);
+        showCanvas();
+        if (mSketch.shownResult())
+            mFollowsResult = true; // shown as soon as it is drawable
+        for (const QString &warning : notes->warnings)
+            messages()->warning(warning);
+    });
+}
+
+void SurfacerWindow::save()
+{
+    if (mSketch.filePath().isEmpty() || mSketch.isReadOnly()) {
+        saveAs();
+        return;
+    }
+    saveDocument(mSketch, jobs(), {}, [this](Result<SaveReport> report) {
+        if (!report)
+            showError(report.error(), tr("Save as..."), [this] { saveAs(); });
+    });
+}
+
+void SurfacerWindow::saveAs()
+{
+    QString path =
+        QFileDialog::getSaveFileName(this, tr("Save as"), mSketch.displayName() + QStringLiteral(".ductus"),
+                                     tr("Ductus projects (*.ductus)"));
+    if (path.isEmpty())
+        return;
+    if (!path.endsWith(QLatin1String(".ductus"), Qt::CaseInsensitive))
+        path += QStringLiteral(".ductus");
+    saveDocument(mSketch, jobs(), path, [this, path](Result<SaveReport> report) {
+        if (report)
+            remember(path);
+        else
+            showError(report.error(), tr("Save as..."), [this] { saveAs(); });
+    });
+}
+
+bool SurfacerWindow::saveForClosing()
+{
+    if (!mSketch.filePath().isEmpty() && !mSketch.isReadOnly())
+        return MainWindowShell::saveForClosing();
+    QString path =
+        QFileDialog::getSaveFileName(this, tr("Save as"), mSketch.displayName() + QStringLiteral(".ductus"),
+                                     tr("Ductus projects (*.ductus)"));
+    if (path.isEmpty())
+        return false;
+    if (!path.endsWith(QLatin1String(".ductus"), Qt::CaseInsensitive))
+        path += QStringLiteral(".ductus");
+    bool isSaved = false;
+    QEventLoop loop;
+    saveDocument(mSketch, jobs(), path, [&](Result<SaveReport> report) {
+        isSaved = report.ok();
+        if (!report)
+            showError(report.error());
+        loop.quit();
+    });
+    loop.exec(QEventLoop::ExcludeUserInputEvents);
+    return isSaved;
+}
+
+void SurfacerWindow::exportSurface()
+{
+    const auto result = mSketch.result();
+    if (!result || !result->surface)
+        return;
+    auto *dialog = new ExportDialog(result->surface, mSketch.strokes(), mExportChoice, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this, [this, dialog] {
+        mExportChoice = dialog->choice();
+        const QString extension = mExportChoice.extension;
+        QString path = QFileDialog::getSaveFileName(
+            this, tr("Export surface"), mSketch.displayName() + extension, QStringLiteral("*") + extension);
+        if (path.isEmpty())
+            return;
+        if (!path.endsWith(extension, Qt::CaseInsensitive))
+            path += extension;
+        exportTo(path, mExportChoice);
+    });
+    dialog->open();
+}
+
+void SurfacerWindow::exportTo(const QString &path, const ExportChoice &choice)
+{
+    const auto result = mSketch.result();
+    if (!result || !result->surface)
+        return;
+    auto work = [surface = result->surface, strokes = mSketch.content().strokes, choice,
+                 path](const JobControl &control) -> Result<bool> {
+        const Result<void> written =
+            writeMesh(exportContent(*surface, *strokes, choice), enginePath(path), control);
+        if (!written)
+            return written.error();
+        return true;
+    };
+    jobs().start<bool>({QString(), tr("Exporting the surface")}, work, [this, path](Result<bool> written) {
+        if (written)
+            messages()->success(tr("Exported to %1.").arg(QFileInfo(path).fileName()));
+        else
+            showError(written.error());
+    });
+}
+
+} // namespace ductus

@@ -1,0 +1,88 @@
+// SurfacerWindow: SketchSurfacer's window: the shared shell filled with canvas, tools, inspector and actions.
+#pragma once
+
+#include "sketchsurfacer/document/sketch_import.h"
+#include "sketchsurfacer/document/surfacing_jobs.h"
+#include "sketchsurfacer/ui/window/export_dialog.h"
+#include "sketchsurfacer/ui/window/tool_box.h"
+#include "widgets/main_window_shell.h"
+
+class QActionGroup;
+
+namespace ductus {
+
+class MeasuresPanel;
+class RegionList;
+class SegmentedSwitch;
+
+class SurfacerWindow : public MainWindowShell
+{
+    Q_OBJECT
+public:
+    explicit SurfacerWindow(const ShellServices &services, QWidget *parent = nullptr);
+    ~SurfacerWindow() override;
+
+    SketchDocument &sketch() { return mSketch; }
+    SketchView &view() { return *mView; }
+    SurfacingJobs &surfacing() { return mSurfacing; }
+    ToolBox &tools() { return *mTools; }
+    SketchPresenter &presenter() { return *mPresenter; }
+    SegmentedSwitch &viewSwitch() { return *mSwitch; }
+
+    /// A project, a sketch, or a mesh to be the proxy of the sketch that is open.
+    void openPath(const QString &path);
+    void openSample(const QString &id);
+    void pasteSketch();
+    void save();
+    void saveAs();
+    void exportSurface();
+    /// Writes without a dialog.
+    void exportTo(const QString &path, const ExportChoice &choice);
+    /// Surfaces, and shows preview and result as they come.
+    void surfaceIt();
+
+protected:
+    bool saveForClosing() override;
+
+private:
+    void addActions();
+    void addToolActions();
+    void addViewActions();
+    void fillMenus();
+    void fillInspector();
+    void fillStartPage();
+    void connectParts();
+
+    void newSketch();
+    void chooseAndOpen();
+    void openProject(const QString &path);
+    void openSketch(const QString &title, std::function<Result<ImportedSketch>(const JobControl &)> read);
+    void openProxy(const QString &path);
+    void adoptSketch(ImportedSketch sketch);
+    void remember(const QString &path);
+    void refreshRecent();
+
+    void onDocumentChanged(const ChangeEvent &event);
+    void onResultShown();
+    void refreshSwitch();
+    void refreshEmptyText();
+    void escape();
+    void showPointerText(const QPointF &position);
+    void showMode(ViewMode mode);
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
+    SketchDocument mSketch;
+    SurfacingJobs mSurfacing;
+    SketchView *mView = nullptr;
+    SketchPresenter *mPresenter = nullptr;
+    ToolBox *mTools = nullptr;
+    SegmentedSwitch *mSwitch = nullptr;
+    RegionList *mRegions = nullptr;
+    MeasuresPanel *mMeasures = nullptr;
+    QActionGroup *mToolActions = nullptr;
+    std::vector<SampleSketch> mSamples;
+    ExportChoice mExportChoice;
+    bool mFollowsResult = false; // the user asked for a surface: the switch goes along
+};
+
+} // namespace ductus
