@@ -78,6 +78,8 @@ Result<Association> associate(const StrokeSet &strokes, const TriangleMesh &prox
     Association a;
     const NearestOnMesh nearest(proxy);
     const std::vector<Vec3> normals = vertexNormals(proxy);
+    for (std::size_t v = 0; v < normals.size(); ++v)
+        a.vertices.push_back({proxy.vertices[v], normals[v]});
     DualPaths paths(proxy, topology);
     a.edgeIsCrossed.assign(topology.edges.size(), 0);
 

@@ -28,6 +28,7 @@ struct Association
 {
     std::vector<OrientedPoint> points;              // stroke points and the proxy's normals there
     std::vector<StrokeSample> samples;              // beside points
+    std::vector<OrientedPoint> vertices;            // the proxy's, with their normals
     std::vector<std::vector<int>> pointsOfVertex;   // P_v: indices into points, at most one an edge
     std::vector<double> edgeWeights;                // w^e c^e of Sec. III.6
     std::vector<char> edgeIsCrossed;                // by a stroke that carries surface or border

@@ -1,7 +1,7 @@
 #include "surfacing/refinement/scribble_effect.h"
 
 #include "surfacing/refinement/region_cut.h"
-#include "surfacing/segmentation/data_costs.h"
+#include "surfacing/segmentation/region_fit.h"
 
 #include <algorithm>
 #include <map>
@@ -80,7 +80,7 @@ private:
     void newRegion()
     {
         forget(mTouched);
-        const int id = addModel(pointsNear(mTouched), mTouched, mScribble.degree);
+        const int id = addModel(supportNear(mTouched), mTouched, mScribble.degree);
         want(mTouched, id, mPenalty);
     }
 
@@ -96,7 +96,7 @@ private:
             of.insert(of.end(), part.begin(), part.end());
         }
         forget(vertices);
-        const int id = addModel(pointsOfVertices(vertices), vertices, mScribble.degree);
+        const int id = addModel(supportOfVertices(vertices), vertices, mScribble.degree);
         want(mTouched, id, mPenalty);
         for (const auto &[old, part] : partsOfId)
             for (int v : vertices)
@@ -128,7 +128,7 @@ private:
     {
         for (const std::vector<int> &part : touchedParts()) {
             forget(part);
-            const int id = addModel(pointsOfVertices(part), part, mScribble.degree);
+            const int id = addModel(supportOfVertices(part), part, mScribble.degree);
             relabel(part, id);
             want(part, id,
                  mPenalty); // all of it: another degree is no reason to give parts of the region away
@@ -172,8 +172,8 @@ private:
         const int old = idAt(cut.left.front());
         forget(cut.left);
         forget(cut.right);
-        const int left = addModel(pointsOfVertices(cut.left), cut.left, mScribble.degree);
-        const int right = addModel(pointsOfVertices(cut.right), cut.right, mScribble.degree);
+        const int left = addModel(supportOfVertices(cut.left), cut.left, mScribble.degree);
+        const int right = addModel(supportOfVertices(cut.right), cut.right, mScribble.degree);
         relabel(cut.left, left);
         relabel(cut.right, right);
         for (const auto &[side, other] : {std::pair(&cut.left, right), std::pair(&cut.right, left)})
@@ -219,7 +219,7 @@ private:
             vertices.insert(vertices.end(), part.begin(), part.end());
         if (parts.size() < 2)
             return; // there is no border; none will come
-        relabel(vertices, addModel(pointsOfVertices(vertices), vertices, 0));
+        relabel(vertices, addModel(supportOfVertices(vertices), vertices, 0));
     }
 
     void overrideEdge(int edge, double weight)
@@ -292,17 +292,17 @@ private:
             labels()[std::size_t(v)] = label;
     }
 
-    std::vector<int> pointsOfVertices(const std::vector<int> &vertices) const
+    RegionSupport supportOfVertices(const std::vector<int> &vertices) const
     {
         std::vector<char> flags(mDomain.association.pointsOfVertex.size(), 0);
         for (int v : vertices)
             flags[std::size_t(v)] = 1;
-        return pointsOf(mDomain.association, flags);
+        return supportOf(mDomain.association, flags);
     }
 
     // Stroke points of the vertices; where a scribble runs between strokes, rings are added until there are
     // some.
-    std::vector<int> pointsNear(const std::vector<int> &vertices) const
+    RegionSupport supportNear(const std::vector<int> &vertices) const
     {
         constexpr std::size_t enough = 12;
         std::vector<char> seen(mDomain.association.pointsOfVertex.size(), 0);
@@ -311,9 +311,9 @@ private:
             seen[std::size_t(v)] = 1;
         std::size_t ringBegin = 0;
         for (int ring = 0; ring < 40; ++ring) {
-            std::vector<int> points = pointsOf(mDomain.association, seen);
-            if (points.size() >= enough)
-                return points;
+            RegionSupport support = supportOf(mDomain.association, seen);
+            if (support.points.size() >= enough)
+                return support;
             const std::size_t ringEnd = grown.size();
             for (std::size_t i = ringBegin; i < ringEnd; ++i)
                 for (int e : mDomain.topology.vertexEdges[std::size_t(grown[i])]) {
@@ -325,11 +325,11 @@ private:
                 }
             ringBegin = ringEnd;
         }
-        return pointsOf(mDomain.association, seen);
+        return supportOf(mDomain.association, seen);
     }
 
     // A model fitted to the points, of the given degree or the one of least energy; its id.
-    int addModel(const std::vector<int> &points, const std::vector<int> &vertices, int degree)
+    int addModel(const RegionSupport &support, const std::vector<int> &vertices, int degree)
     {
         const Association &a = mDomain.association;
         const int lowest = degree ? degree : 1, highest = degree ? degree : mOptions.maxDegree;
@@ -338,9 +338,9 @@ private:
         double bestEnergy = 0.0;
         for (int d = lowest; d <= highest; ++d) {
             LabelModel model =
-                points.empty()
+                support.points.empty()
                     ? mEffect.start.models[std::size_t(labels()[std::size_t(vertices[0])])]
-                    : labelModel(a, fitPolynomial(a.points, points, d, mOptions.fit), id, mOptions.epsilon);
+                    : labelModel(a, fitRegion(a, support, d, mOptions.fit), id, mOptions.epsilon);
             model.id = id;
             double energy =
                 mOptions.simplicity * double(model.model.theta.size()) / mOptions.parameterNormaliser;

@@ -2,7 +2,7 @@
 
 #include "base/parallel.h"
 #include "numeric/spectral_clustering.h"
-#include "surfacing/segmentation/data_costs.h"
+#include "surfacing/segmentation/region_fit.h"
 
 #include <algorithm>
 
@@ -19,12 +19,13 @@ Result<Eigen::MatrixXd> proxyEmbedding(const Association &association, const Mes
     return spectralEmbedding(int(association.pointsOfVertex.size()), edges, count, control);
 }
 
-std::vector<ImplicitPolynomial> initialModels(const Association &association, const Eigen::MatrixXd &embedding,
+std::vector<ImplicitPolynomial> initialModels(const Association &association,
+                                              const Eigen::MatrixXd &embedding,
                                               const SegmentationOptions &options, Random random)
 {
     ModelFitOptions fit = options.fit;
     fit.boost = options.initialBoost;
-    std::vector<std::vector<int>> subsets;
+    std::vector<RegionSupport> supports;
     for (std::size_t round = 0; round < options.clusterCounts.size(); ++round) {
         const int clusterCount = std::min<int>(options.clusterCounts[round], int(embedding.cols()));
         const std::vector<int> clusters = spectralClusters(embedding, clusterCount, random.fork(round));
@@ -32,16 +33,16 @@ std::vector<ImplicitPolynomial> initialModels(const Association &association, co
             std::vector<char> flags(clusters.size());
             for (std::size_t v = 0; v < clusters.size(); ++v)
                 flags[v] = clusters[v] == c;
-            std::vector<int> points = pointsOf(association, flags);
-            if (!points.empty())
-                subsets.push_back(std::move(points));
+            RegionSupport support = supportOf(association, flags);
+            if (!support.points.empty())
+                supports.push_back(std::move(support));
         }
     }
     const std::size_t degrees = options.initialDegrees.size();
-    std::vector<ImplicitPolynomial> models(subsets.size() * degrees);
+    std::vector<ImplicitPolynomial> models(supports.size() * degrees);
     parallelFor(0, models.size(), [&](std::size_t i) {
         const int degree = std::min(options.initialDegrees[i % degrees], options.maxDegree);
-        models[i] = fitPolynomial(association.points, subsets[i / degrees], degree, fit);
+        models[i] = fitRegion(association, supports[i / degrees], degree, fit);
     });
     return models;
 }

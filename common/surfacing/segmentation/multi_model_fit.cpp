@@ -4,6 +4,7 @@
 #include "numeric/alpha_expansion.h"
 #include "surfacing/segmentation/data_costs.h"
 #include "surfacing/segmentation/proposals.h"
+#include "surfacing/segmentation/region_fit.h"
 
 #include <algorithm>
 #include <numeric>
@@ -18,28 +19,22 @@ double labelCost(const ImplicitPolynomial &model, const SegmentationOptions &opt
     return options.simplicity * double(model.theta.size()) / options.parameterNormaliser;
 }
 
-double totalWeight(const Association &association) // W of Eq. III.3
-{
-    return std::accumulate(association.edgeWeights.begin(), association.edgeWeights.end(), 0.0);
-}
-
 // One run of Algorithm 1.
 class Pearl
 {
 public:
-    Pearl(const Association &association, const MeshTopology &topology, const SegmentationOptions &options,
-          const LabelConstraints &constraints, Proposals proposals)
-        : mAssociation(association), mTopology(topology), mOptions(options), mConstraints(constraints),
-          mProposals(proposals)
+    Pearl(const LabelGraph &graph, const SegmentationOptions &options, const LabelConstraints &constraints,
+          Proposals proposals)
+        : mAssociation(graph.association), mTopology(graph.topology), mOptions(options),
+          mConstraints(constraints), mProposals(proposals)
     {
-        std::vector<double> weights = association.edgeWeights;
+        std::vector<double> weights = mAssociation.edgeWeights;
         for (const EdgeOverride &o : constraints.edges)
             weights[std::size_t(o.edge)] = o.weight;
-        const double total = totalWeight(association);
-        mEdges.reserve(topology.edges.size());
-        for (std::size_t e = 0; e < topology.edges.size(); ++e)
-            mEdges.push_back(
-                {topology.edges[e].v0, topology.edges[e].v1, options.smoothness * weights[e] / total});
+        mEdges.reserve(mTopology.edges.size());
+        for (std::size_t e = 0; e < mTopology.edges.size(); ++e)
+            mEdges.push_back({mTopology.edges[e].v0, mTopology.edges[e].v1,
+                              options.smoothness * weights[e] / graph.totalWeight});
     }
 
     Result<ModelLabeling> run(ModelLabeling start, const JobControl &control, int &iterations)
@@ -163,12 +158,12 @@ private:
             label = newFromOld[std::size_t(label)];
     }
 
-    std::vector<int> pointsOfLabel(std::size_t a) const
+    RegionSupport supportOfLabel(std::size_t a) const
     {
         std::vector<char> flags(mFit.labels.size());
         for (std::size_t v = 0; v < mFit.labels.size(); ++v)
             flags[v] = mFit.labels[v] == int(a);
-        return pointsOf(mAssociation, flags);
+        return supportOf(mAssociation, flags);
     }
 
     double costOfLabel(std::size_t a, const std::vector<double> &costs) const
@@ -187,19 +182,18 @@ private:
         std::vector<std::optional<LabelModel>> refits(mUsedCount);
         parallelFor(0, mUsedCount, [&](std::size_t a) {
             const HeldModel *held = heldModel(mFit.models[a].id);
-            if ((held && held->isFrozen) || (mProposals == Proposals::WhereChanged && !changed[a]))
+            if ((held && held->isFrozen) || (mProposals != Proposals::Everywhere && !changed[a]))
                 return;
-            const std::vector<int> points = pointsOfLabel(a);
-            if (points.empty())
+            const RegionSupport support = supportOfLabel(a);
+            if (support.points.empty())
                 return;
             const int degree = mFit.models[a].model.degree;
             if (held)
-                refits[a] = bestVariant(a, points, held->degree ? held->degree : 1,
+                refits[a] = bestVariant(a, support, held->degree ? held->degree : 1,
                                         held->degree ? held->degree : mOptions.maxDegree);
             else
-                refits[a] =
-                    labelModel(mAssociation, fitPolynomial(mAssociation.points, points, degree, mOptions.fit),
-                               mFit.models[a].id, mOptions.epsilon);
+                refits[a] = labelModel(mAssociation, fitRegion(mAssociation, support, degree, mOptions.fit),
+                                       mFit.models[a].id, mOptions.epsilon);
         });
         for (std::size_t a = 0; a < mUsedCount; ++a) {
             if (!refits[a])
@@ -221,13 +215,13 @@ private:
     }
 
     // The degree of least energy for the vertices the label has now.
-    LabelModel bestVariant(std::size_t a, const std::vector<int> &points, int lowest, int highest) const
+    LabelModel bestVariant(std::size_t a, const RegionSupport &support, int lowest, int highest) const
     {
         std::optional<LabelModel> best;
         double bestEnergy = 0.0;
         for (int degree = lowest; degree <= highest; ++degree) {
             LabelModel variant =
-                labelModel(mAssociation, fitPolynomial(mAssociation.points, points, degree, mOptions.fit),
+                labelModel(mAssociation, fitRegion(mAssociation, support, degree, mOptions.fit),
                            mFit.models[a].id, mOptions.epsilon);
             const double energy = costOfLabel(a, *variant.costs) + labelCost(variant.model, mOptions);
             if (!best || energy < bestEnergy) {
@@ -247,13 +241,16 @@ private:
             addModels(proposeModels(mAssociation, mTopology, mFit.labels, models, mOptions, tried));
             return;
         }
+        if (mProposals == Proposals::Nothing)
+            return;
         std::vector<ImplicitPolynomial> lower;
         for (std::size_t a = 0; a < mUsedCount; ++a) {
             if (!changed[a] || heldModel(mFit.models[a].id))
                 continue;
-            const std::vector<int> points = pointsOfLabel(a);
-            for (int degree = mFit.models[a].model.degree - 1; degree >= 1 && !points.empty(); --degree)
-                lower.push_back(fitPolynomial(mAssociation.points, points, degree, mOptions.fit));
+            const RegionSupport support = supportOfLabel(a);
+            for (int degree = mFit.models[a].model.degree - 1; degree >= 1 && !support.points.empty();
+                 --degree)
+                lower.push_back(fitRegion(mAssociation, support, degree, mOptions.fit));
         }
         addModels(std::move(lower));
     }
@@ -279,28 +276,32 @@ int ModelLabeling::labelOf(int id) const
     return -1;
 }
 
+LabelGraph wholeGraph(const Association &association, const MeshTopology &topology)
+{
+    return {association, topology,
+            std::accumulate(association.edgeWeights.begin(), association.edgeWeights.end(), 0.0)};
+}
+
 LabelModel labelModel(const Association &association, ImplicitPolynomial model, int id, double epsilon)
 {
     auto costs = std::make_shared<const std::vector<double>>(dataCosts(association, model, epsilon));
     return {id, std::move(model), std::move(costs)};
 }
 
-Result<ModelLabeling> fitModels(const Association &association, const MeshTopology &topology,
-                                const SegmentationOptions &options, ModelLabeling start,
-                                const LabelConstraints &constraints, Proposals proposals,
+Result<ModelLabeling> fitModels(const LabelGraph &graph, const SegmentationOptions &options,
+                                ModelLabeling start, const LabelConstraints &constraints, Proposals proposals,
                                 const JobControl &control, int *iterations)
 {
     int count = 0;
-    Pearl pearl(association, topology, options, constraints, proposals);
+    Pearl pearl(graph, options, constraints, proposals);
     Result<ModelLabeling> fit = pearl.run(std::move(start), control, count);
     if (iterations)
         *iterations = count;
     return fit;
 }
 
-Segmentation segmentationOf(const Association &association, const MeshTopology &topology,
-                            const SegmentationOptions &options, const ModelLabeling &fit,
-                            std::vector<int> *modelIds)
+Segmentation segmentationOf(const LabelGraph &graph, const SegmentationOptions &options,
+                            const ModelLabeling &fit, std::vector<int> *modelIds)
 {
     Segmentation result;
     std::vector<int> newFromOld(fit.models.size(), -1);
@@ -321,11 +322,10 @@ Segmentation segmentationOf(const Association &association, const MeshTopology &
         result.labels.push_back(newFromOld[old]);
         result.fidelity += (*fit.models[old].costs)[v];
     }
-    const double total = totalWeight(association);
-    for (std::size_t e = 0; e < topology.edges.size(); ++e)
-        if (result.labels[std::size_t(topology.edges[e].v0)] !=
-            result.labels[std::size_t(topology.edges[e].v1)])
-            result.smoothness += association.edgeWeights[e] / total;
+    const std::vector<MeshEdge> &edges = graph.topology.edges;
+    for (std::size_t e = 0; e < edges.size(); ++e)
+        if (result.labels[std::size_t(edges[e].v0)] != result.labels[std::size_t(edges[e].v1)])
+            result.smoothness += graph.association.edgeWeights[e] / graph.totalWeight;
     for (const ImplicitPolynomial &model : result.models)
         result.simplicity += double(model.theta.size()) / options.parameterNormaliser;
     result.energy =

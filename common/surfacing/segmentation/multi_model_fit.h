@@ -9,6 +9,16 @@
 
 namespace ductus {
 
+/// What is labelled: the proxy, or its simplification.
+struct LabelGraph
+{
+    const Association &association;
+    const MeshTopology &topology; // only edges and vertexEdges are used
+    double totalWeight = 0.0;     // W of Eq. III.3, of the whole proxy
+};
+
+LabelGraph wholeGraph(const Association &association, const MeshTopology &topology);
+
 /// A surface model with its cost at every vertex: D_v of Eq. III.2.
 struct LabelModel
 {
@@ -60,20 +70,19 @@ struct LabelConstraints
 enum class Proposals {
     Everywhere,   // as the thesis: lower degrees and merges of all regions
     WhereChanged, // only lower degrees of regions whose vertices changed, so that the rest stays as it was
+    Nothing,      // only the models there are
 };
 
 LabelModel labelModel(const Association &association, ImplicitPolynomial model, int id, double epsilon);
 
 /// \a start needs models; iterations are told in \a iterations if given.
-Result<ModelLabeling> fitModels(const Association &association, const MeshTopology &topology,
-                                const SegmentationOptions &options, ModelLabeling start,
-                                const LabelConstraints &constraints, Proposals proposals,
+Result<ModelLabeling> fitModels(const LabelGraph &graph, const SegmentationOptions &options,
+                                ModelLabeling start, const LabelConstraints &constraints, Proposals proposals,
                                 const JobControl &control, int *iterations = nullptr);
 
 /// Labels, used models and the energies of Eq. III.1 (without what constraints add). \a modelIds, if given:
 /// one a model of the result.
-Segmentation segmentationOf(const Association &association, const MeshTopology &topology,
-                            const SegmentationOptions &options, const ModelLabeling &fit,
-                            std::vector<int> *modelIds = nullptr);
+Segmentation segmentationOf(const LabelGraph &graph, const SegmentationOptions &options,
+                            const ModelLabeling &fit, std::vector<int> *modelIds = nullptr);
 
 } // namespace ductus

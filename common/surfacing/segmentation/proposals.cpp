@@ -1,7 +1,7 @@
 #include "surfacing/segmentation/proposals.h"
 
 #include "base/parallel.h"
-#include "surfacing/segmentation/data_costs.h"
+#include "surfacing/segmentation/region_fit.h"
 
 #include <algorithm>
 #include <map>
@@ -12,7 +12,7 @@ namespace {
 
 struct Proposal
 {
-    std::vector<int> points;
+    RegionSupport support;
     int degree;
 };
 
@@ -31,7 +31,8 @@ std::vector<std::pair<int, int>> neighboursByBorderWeight(const Association &ass
 {
     std::map<std::pair<int, int>, double> weights;
     for (std::size_t e = 0; e < topology.edges.size(); ++e) {
-        const int a = labels[std::size_t(topology.edges[e].v0)], b = labels[std::size_t(topology.edges[e].v1)];
+        const int a = labels[std::size_t(topology.edges[e].v0)],
+                  b = labels[std::size_t(topology.edges[e].v1)];
         if (a != b)
             weights[{std::min(a, b), std::max(a, b)}] += association.edgeWeights[e];
     }
@@ -52,39 +53,38 @@ std::vector<ImplicitPolynomial> proposeModels(const Association &association, co
                                               const SegmentationOptions &options, TriedMerges &tried)
 {
     std::vector<Proposal> proposals;
-    std::vector<std::vector<int>> pointsOfLabel(models.size());
+    std::vector<RegionSupport> supportOfLabel(models.size());
     for (std::size_t a = 0; a < models.size(); ++a) {
         std::vector<char> flags(labels.size());
         for (std::size_t v = 0; v < labels.size(); ++v)
             flags[v] = labels[v] == int(a);
-        pointsOfLabel[a] = pointsOf(association, flags);
-        for (int degree = models[a].degree - 1; degree >= 1 && !pointsOfLabel[a].empty(); --degree)
-            proposals.push_back({pointsOfLabel[a], degree});
+        supportOfLabel[a] = supportOf(association, flags);
+        for (int degree = models[a].degree - 1; degree >= 1 && !supportOfLabel[a].points.empty(); --degree)
+            proposals.push_back({supportOfLabel[a], degree});
     }
 
     int merges = 0;
     for (const auto &[a, b] : neighboursByBorderWeight(association, topology, labels)) {
         if (merges == options.mergesPerIteration)
             break;
-        const std::vector<int> &pa = pointsOfLabel[std::size_t(a)], &pb = pointsOfLabel[std::size_t(b)];
-        if (pa.empty() && pb.empty())
+        const RegionSupport &sa = supportOfLabel[std::size_t(a)], &sb = supportOfLabel[std::size_t(b)];
+        if (sa.points.empty() && sb.points.empty())
             continue;
-        const std::pair<std::size_t, std::size_t> key = std::minmax(hashOf(pa), hashOf(pb));
+        const std::pair<std::size_t, std::size_t> key = std::minmax(hashOf(sa.points), hashOf(sb.points));
         if (!tried.insert(key).second)
             continue;
-        std::vector<int> points;
-        std::set_union(pa.begin(), pa.end(), pb.begin(), pb.end(), std::back_inserter(points));
+        const RegionSupport support = united(sa, sb);
         // Two planes or two quadrics can be one surface of the next degree, two bits of a face one plane.
-        const int highest =
-            std::min(options.maxDegree, std::max(models[std::size_t(a)].degree, models[std::size_t(b)].degree) + 1);
+        const int highest = std::min(
+            options.maxDegree, std::max(models[std::size_t(a)].degree, models[std::size_t(b)].degree) + 1);
         for (int degree = 1; degree <= highest; ++degree)
-            proposals.push_back({points, degree});
+            proposals.push_back({support, degree});
         ++merges;
     }
 
     std::vector<ImplicitPolynomial> result(proposals.size());
     parallelFor(0, proposals.size(), [&](std::size_t i) {
-        result[i] = fitPolynomial(association.points, proposals[i].points, proposals[i].degree, options.fit);
+        result[i] = fitRegion(association, proposals[i].support, proposals[i].degree, options.fit);
     });
     return result;
 }
