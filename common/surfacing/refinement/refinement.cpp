@@ -28,14 +28,14 @@ Result<SharedSolution> applied(const ScribbleDomain &domain, const SharedSolutio
         return effect.error();
     int iterations = 0;
     Result<ModelLabeling> fit =
-        fitModels(domain.association, domain.topology, options, std::move(effect->start), effect->constraints,
-                  Proposals::WhereChanged, control, &iterations);
+        fitModels(wholeGraph(domain.association, domain.topology), options, std::move(effect->start),
+                  effect->constraints, Proposals::WhereChanged, control, &iterations);
     if (!fit)
         return fit.error();
     auto solution = std::make_shared<LabelSolution>();
     solution->fit = std::move(*fit);
-    solution->segmentation =
-        segmentationOf(domain.association, domain.topology, options, solution->fit, &solution->modelIds);
+    solution->segmentation = segmentationOf(wholeGraph(domain.association, domain.topology), options,
+                                            solution->fit, &solution->modelIds);
     solution->segmentation.iterations = iterations;
     solution->segmentation.runEnergies = before->segmentation.runEnergies;
     solution->constraints = std::move(effect->constraints);
