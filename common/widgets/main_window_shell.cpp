@@ -163,6 +163,8 @@ void MainWindowShell::showCanvas()
 {
     if (!mCanvas)
         return;
+    // A stack is as wide as its widest page, also while that is hidden.
+    mStartPage->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);
     mStack->setCurrentWidget(mCanvas);
     mTopRow->setCentreVisible(true);
     mHint->setVisible(true);
@@ -174,6 +176,7 @@ void MainWindowShell::showCanvas()
 
 void MainWindowShell::showStartPage()
 {
+    mStartPage->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
     mStack->setCurrentWidget(mStartPage);
     // Nothing to work on: the tools would only be in the way.
     mTopRow->setCentreVisible(false);

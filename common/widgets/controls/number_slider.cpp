@@ -7,6 +7,7 @@
 
 #include <QDoubleSpinBox>
 #include <QEvent>
+#include <QFocusEvent>
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -56,12 +57,12 @@ NumberSlider::NumberSlider(const QString &label, const NumberRange &range, const
         end->setProperty("dim", true);
         end->hide();
     }
+    mSlider->setObjectName(QStringLiteral("track"));
     mField->setButtonSymbols(QAbstractSpinBox::NoButtons);
     mField->setKeyboardTracking(false); // a number half typed is no number
     mField->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     mField->setFixedWidth(88);
     mLabel->setBuddy(mField);
-    setFocusProxy(mSlider);
     setToolTip(teaches);
     setLabel(label);
     setRange(range);
@@ -110,7 +111,7 @@ void NumberSlider::setRange(const NumberRange &range)
 void NumberSlider::setValue(double value)
 {
     mValue = std::clamp(value, mRange.minimum, mRange.maximum);
-    show(mValue);
+    display(mValue);
 }
 
 QString NumberSlider::label() const
@@ -148,7 +149,7 @@ void NumberSlider::change(double value)
     if (value == mValue)
         return;
     mValue = value;
-    show(value);
+    display(value);
     emit valueChanged(value);
 }
 
@@ -176,7 +177,7 @@ void NumberSlider::editOnce(double value)
     endEdit();
 }
 
-void NumberSlider::show(double value)
+void NumberSlider::display(double value)
 {
     mIsShowing = true;
     mField->setValue(value);
@@ -189,6 +190,12 @@ double NumberSlider::rounded(double value) const
 {
     const double scale = std::pow(10.0, mRange.decimals);
     return std::clamp(std::round(value * scale) / scale, mRange.minimum, mRange.maximum);
+}
+
+// No focus proxy: Qt takes the whole for one stop of Tab then, and the field is never reached.
+void NumberSlider::focusInEvent(QFocusEvent *event)
+{
+    mSlider->setFocus(event->reason());
 }
 
 void NumberSlider::changeEvent(QEvent *event)

@@ -56,13 +56,14 @@ public slots:
 
 protected:
     void changeEvent(QEvent *event) override;
+    void focusInEvent(QFocusEvent *event) override;
 
 private:
     void change(double value);
     void beginEdit();
     void endEdit();
     void editOnce(double value);
-    void show(double value);
+    void display(double value);
     double rounded(double value) const;
 
     NumberRange mRange;

@@ -85,24 +85,24 @@ StartPage::StartPage(QWidget *parent)
     auto *left = new QWidget;
     left->setFixedWidth(leftWidth);
     auto *leftLayout = new QVBoxLayout(left);
-    leftLayout->setContentsMargins(rowInset, outerMargin, 0, 24);
+    leftLayout->setContentsMargins(0, outerMargin, 0, 24);
     leftLayout->setSpacing(8);
     leftLayout->addWidget(mTitle);
     leftLayout->addWidget(mSentence);
     leftLayout->addSpacing(8);
     auto *buttons = new QHBoxLayout;
     buttons->setSpacing(8);
+    buttons->setContentsMargins(rowInset, 0, 0, 0);
+    // All but the rows are inset, so that the rows' pictures stand below the headings.
+    for (QLabel *label : {mTitle, mSentence, mRecentHeading, mDrop})
+        label->setContentsMargins(rowInset, 0, 0, 0);
     buttons->addWidget(mNew);
     buttons->addWidget(mOpen);
     leftLayout->addLayout(buttons);
     leftLayout->addLayout(mNotice);
     leftLayout->addSpacing(16);
     leftLayout->addWidget(mRecentHeading);
-    // The rows reach out by their inset, so that their pictures stand below the headings.
-    auto *recentPlace = new QHBoxLayout;
-    recentPlace->setContentsMargins(-rowInset, 0, 0, 0);
-    recentPlace->addWidget(scrolling(recentColumn, tr("Recent files")));
-    leftLayout->addLayout(recentPlace, 1);
+    leftLayout->addWidget(scrolling(recentColumn, tr("Recent files")), 1);
     leftLayout->addWidget(mDrop);
 
     auto *cards = new QWidget;
@@ -155,7 +155,7 @@ void StartPage::setNotice(QWidget *notice)
 {
     clearLayout(mNotice);
     if (notice) {
-        mNotice->setContentsMargins(0, 16, 0, 0);
+        mNotice->setContentsMargins(rowInset, 16, 0, 0);
         mNotice->addWidget(notice);
     }
 }
@@ -178,6 +178,7 @@ void StartPage::setRecent(const QList<RecentCard> &recent)
         auto *none = new QLabel(tr("Files you open will be listed here."));
         none->setProperty("dim", true);
         none->setWordWrap(true);
+        none->setContentsMargins(rowInset, 0, 0, 0);
         mRecent->addWidget(none);
     }
     for (const RecentCard &card : recent) {

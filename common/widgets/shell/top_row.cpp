@@ -106,7 +106,8 @@ void TopRow::fillFoldedMenu()
 // search.
 void TopRow::arrange()
 {
-    const int centreWidth = mCentre && mIsCentreVisible ? mCentre->sizeHint().width() : 0;
+    const QSize centre = mCentre ? mCentre->sizeHint().expandedTo(mCentre->minimumSize()) : QSize();
+    const int centreWidth = mCentre && mIsCentreVisible ? centre.width() : 0;
     const int menuWidth = mMenuBar->sizeHint().width();
     const auto setSearchWide = [&](bool wide) {
         mSearch->setText(wide ? tr("Search actions") : QString());
@@ -143,8 +144,7 @@ void TopRow::arrange()
         const int leftEnd = margin + leftWidth + gap;
         int x = (width() - centreWidth) / 2;
         x = std::max(leftEnd, std::min(x, rightX - gap - centreWidth));
-        const int height = mCentre->sizeHint().height();
-        mCentre->setGeometry(x, vertical(height), centreWidth, height);
+        mCentre->setGeometry(x, vertical(centre.height()), centre.width(), centre.height());
     }
 }
 

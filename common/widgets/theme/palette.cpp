@@ -74,7 +74,7 @@ ThemeColours themeColours(bool dark, AppKind app)
     c.error = QColor("#e5584f");
 
     c.disabled = mixed(c.dim, c.panel, 0.45);
-    c.hover = dark ? mixed(c.raised, c.text, 0.08) : mixed(c.panel, c.text, 0.05);
+    c.hover = dark ? mixed(c.raised, c.text, 0.045) : mixed(c.panel, c.text, 0.05);
     c.pressed = dark ? mixed(c.raised, c.text, 0.16) : mixed(c.panel, c.text, 0.11);
     // In the dark the accent shines and carries dark words; in the light it is deepened for white ones,
     // unless it is so bright a colour that it would become another one.

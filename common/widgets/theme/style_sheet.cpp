@@ -92,6 +92,8 @@ QCheckBox::indicator:checked { image: url(:/ductus/shapes/@check); }
 QRadioButton::indicator:checked { image: url(:/ductus/shapes/@spot); }
 QCheckBox::indicator:disabled, QRadioButton::indicator:disabled { border-color: @line; }
 QListWidget::item { border-radius: 4px; padding-left: 4px; }
+QListWidget::item:selected { background: @selected; color: @text; }
+QListWidget::item:hover:!selected { background: @hover; }
 #searchField { text-align: left; background: @field; color: @dim; padding: 0 8px; }
 #searchField:hover { background: @hover; color: @text; }
 
@@ -106,6 +108,7 @@ QListWidget::item { border-radius: 4px; padding-left: 4px; }
 #messageBar[kind="success"] { background: @successGround; }
 #messageBar[kind="warning"] { background: @warningGround; }
 #messageBar[kind="error"] { background: @errorGround; }
+#recoveryNotice { background: @warningGround; border: 1px solid @line; border-radius: 8px; }
 #jobPopup, #searchPopup { background: @raised; border: 1px solid @line; border-radius: 8px; }
 #searchPopup QAbstractItemView { background: transparent; border: none; }
 )";

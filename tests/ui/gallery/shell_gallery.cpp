@@ -3,7 +3,9 @@
 // states: start, canvas, error, job, search, settings, keys, tablet, history, menu, narrow.
 #include "ui/gallery/gallery_window.h"
 #include "widgets/main_window_shell.h"
+#include "widgets/pages/recovery_notice.h"
 #include "widgets/pages/settings_dialog.h"
+#include "widgets/pages/start_page.h"
 #include "widgets/shell/job_chip.h"
 #include "widgets/shell/message_bar.h"
 #include "widgets/theme/theme.h"
@@ -37,6 +39,11 @@ void show(GalleryWindow &window, const QString &state)
         QTimer::singleShot(2500, &window, [&] { window.findChild<JobChip *>()->openList(); });
     if (state == QLatin1String("search"))
         QTimer::singleShot(200, &window, [&] { window.openActionSearch(); });
+    if (state == QLatin1String("recovery")) {
+        window.showStartPage();
+        window.startPage()->setNotice(new RecoveryNotice(
+            {{"/state/1.ductus", "/home/ann/hat.ductus", "hat", QDateTime::currentDateTime(), {}}}));
+    }
     if (state == QLatin1String("menu"))
         window.editMenu()->popup(window.mapToGlobal(QPoint(60, 40)));
     if (state == QLatin1String("history")) {
