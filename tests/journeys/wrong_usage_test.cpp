@@ -26,8 +26,7 @@ void WrongUsageTest::saysWhatIsExpected_data()
     };
     row("nothing", "", "Usage:");
     row("unknown command", "surfaces IN -o OUT", "there is no command \"surfaces\"");
-    row("no sketch", "surface -o OUT", "exactly one sketch");
-    row("two sketches", "surface IN IN -o OUT", "exactly one sketch");
+    row("no sketch", "surface -o OUT", "no sketch was given");
     row("no output", "surface IN", "-o OUT is missing");
     row("output without value", "surface IN -o", "-o");
     row("unknown option", "surface IN -o OUT --smooth 3", "smooth");

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "imaging/image.h"
-#include "surfacing/pipeline/surface_pipeline.h"
+#include "strokes/stroke.h"
+#include "surfacing/pipeline/surface_result.h"
 
 namespace ductus {
 

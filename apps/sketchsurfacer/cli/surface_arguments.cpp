@@ -2,9 +2,11 @@
 
 #include "cli/output_files.h"
 #include "formats/mesh_file.h"
+#include "sketchsurfacer/cli/sketch_input.h"
 
 #include <QCommandLineParser>
 #include <cmath>
+#include <tuple>
 
 namespace ductus {
 
@@ -68,11 +70,14 @@ public:
             "Surfaces a 3D sketch: reads strokes, makes or takes a proxy, finds the smooth patches the "
             "strokes "
             "describe, and writes one manifold mesh.\n\n"
-            "IN: .curves, OBJ with lines, CURVE text, x y z text. OUT: .obj, .ply, .stl, .off, .glb.\n"
+            "IN: .curves, OBJ with lines, CURVE text, x y z text, .ductus; several are taken as one sketch.\n"
+            "OUT: .obj, .ply, .stl, .off, .glb, .ductus.\n"
             "Exit codes: 0 done, 1 failed with the reason on stderr, 2 wrong usage, 3 cancelled (Ctrl-C)."));
-        mParser.addPositionalArgument(QStringLiteral("IN"), QStringLiteral("The sketch."));
+        mParser.addPositionalArgument(QStringLiteral("IN"), QStringLiteral("The sketch, or its parts."),
+                                      QStringLiteral("IN..."));
         mParser.addOptions({mHelp, mOutput, mProxy, mSymmetry, mEpsilon, mSimplicity, mSmoothness, mRuns,
-                            mSeed, mVertices, mTightness, mBoundary, mIgnore, mReport, mPicture, mQuiet});
+                            mSeed, mVertices, mTightness, mBoundary, mIgnore, mScribbles, mReport, mPicture,
+                            mQuiet});
     }
 
     ParsedSurfaceArguments parse(const QStringList &arguments)
@@ -81,21 +86,22 @@ public:
             return wrong(mParser.errorText());
         if (mParser.isSet(mHelp))
             return {std::nullopt, mParser.helpText(), true};
-        if (mParser.positionalArguments().size() != 1)
-            return wrong(QStringLiteral("exactly one sketch is expected, %1 were given")
-                             .arg(mParser.positionalArguments().size()));
+        if (mParser.positionalArguments().isEmpty())
+            return wrong(QStringLiteral("no sketch was given"));
         if (!mParser.isSet(mOutput))
             return wrong(QStringLiteral("-o OUT is missing"));
 
         SurfaceArguments a;
-        a.input = pathOf(mParser.positionalArguments().first());
+        for (const QString &input : mParser.positionalArguments())
+            a.inputs.push_back(pathOf(input));
         a.output = pathOf(mParser.value(mOutput));
         a.proxy = pathOf(mParser.value(mProxy));
+        a.scribbles = pathOf(mParser.value(mScribbles));
         a.report = pathOf(mParser.value(mReport));
         a.picture = pathOf(mParser.value(mPicture));
         a.quiet = mParser.isSet(mQuiet);
-        if (!isMeshExtension(a.output))
-            return wrong(QStringLiteral("OUT must end in .obj, .ply, .stl, .off or .glb"));
+        if (!isMeshExtension(a.output) && !isProjectExtension(a.output))
+            return wrong(QStringLiteral("OUT must end in .obj, .ply, .stl, .off, .glb or .ductus"));
 
         if (!a.picture.empty() &&
             !mParser.value(mPicture).endsWith(QLatin1String(".png"), Qt::CaseInsensitive))
@@ -107,14 +113,16 @@ public:
                     return wrong(QStringLiteral("two of OUT, --report and --picture name the same file"));
 
         const QString symmetry = mParser.value(mSymmetry);
-        if (symmetry == QLatin1String("auto")) {
-            a.options.symmetry = SymmetryMode::Auto;
-        } else if (symmetry != QLatin1String("none")) {
+        if (symmetry == QLatin1String("auto") || symmetry == QLatin1String("none")) {
+            if (mParser.isSet(mSymmetry))
+                a.given.symmetry = {symmetry == QLatin1String("auto") ? SymmetryMode::Auto
+                                                                      : SymmetryMode::None,
+                                    SymmetryPlane()};
+        } else {
             const std::optional<SymmetryPlane> plane = planeOf(symmetry);
             if (!plane)
                 return wrong(QStringLiteral("--symmetry takes auto, none, x, y, z or nx,ny,nz,d"));
-            a.options.symmetry = SymmetryMode::Given;
-            a.options.symmetryPlane = *plane;
+            a.given.symmetry = {SymmetryMode::Given, *plane};
         }
         for (const auto &[option, ids] :
              {std::pair(&mBoundary, &a.boundaryStrokes), std::pair(&mIgnore, &a.ignoredStrokes)}) {
@@ -127,20 +135,24 @@ public:
             *ids = *list;
         }
         QString problem;
-        SegmentationOptions &s = a.options.segmentation;
-        qlonglong runs = 1, seed = 1, vertices = a.options.proxy.targetVertices;
-        number(mEpsilon, 1e-5, 0.5, s.epsilon, problem);
-        number(mSimplicity, 0.0, 1e6, s.simplicity, problem);
-        number(mSmoothness, 0.0, 1e6, s.smoothness, problem);
-        number(mTightness, 0.0, 1.0, a.options.proxy.wrap.tightness, problem);
+        std::optional<qlonglong> runs, seed, vertices;
+        number(mEpsilon, 1e-5, 0.5, a.given.epsilon, problem);
+        number(mSimplicity, 0.0, 1e6, a.given.simplicity, problem);
+        number(mSmoothness, 0.0, 1e6, a.given.smoothness, problem);
+        number(mTightness, 0.0, 1.0, a.given.tightness, problem);
         wholeNumber(mRuns, 1, 1000, runs, problem);
         wholeNumber(mSeed, 0, 9007199254740992, seed, problem);
         wholeNumber(mVertices, 200, 500000, vertices, problem);
         if (!problem.isEmpty())
             return wrong(problem);
-        s.runs = int(runs);
-        s.seed = std::uint64_t(seed);
-        a.options.proxy.targetVertices = int(vertices);
+        if (runs)
+            a.given.runs = int(*runs);
+        if (seed)
+            a.given.seed = std::uint64_t(*seed);
+        if (vertices)
+            a.given.proxyVertices = int(*vertices);
+        a.options.segmentation.runs = 1;
+        a.given.applyTo(a.options);
         return {std::move(a), {}, false};
     }
 
@@ -153,7 +165,7 @@ private:
             false};
     }
 
-    void number(const QCommandLineOption &option, double low, double high, double &value,
+    void number(const QCommandLineOption &option, double low, double high, std::optional<double> &value,
                 QString &problem) const
     {
         if (!mParser.isSet(option))
@@ -169,8 +181,8 @@ private:
                           .arg(high);
     }
 
-    void wholeNumber(const QCommandLineOption &option, qlonglong low, qlonglong high, qlonglong &value,
-                     QString &problem) const
+    void wholeNumber(const QCommandLineOption &option, qlonglong low, qlonglong high,
+                     std::optional<qlonglong> &value, QString &problem) const
     {
         if (!mParser.isSet(option))
             return;
@@ -225,6 +237,10 @@ private:
                                           "in the file: 0,4,7-9.",
                                           "IDS");
     QCommandLineOption mIgnore = option("ignore", "Strokes to leave out, counted from 0.", "IDS");
+    QCommandLineOption mScribbles = option("scribbles",
+                                           "Corrections to the regions as a designer would draw them, JSON; "
+                                           "the manual describes it.",
+                                           "S.json");
     QCommandLineOption mReport =
         option("report", "Writes timings, energies, regions and deviations as JSON.", "R.json");
     QCommandLineOption mPicture =
@@ -233,6 +249,23 @@ private:
 };
 
 } // namespace
+
+void GivenOptions::applyTo(SurfaceOptions &options) const
+{
+    const auto set = [](const auto &given, auto &option) {
+        if (given)
+            option = *given;
+    };
+    if (symmetry)
+        std::tie(options.symmetry, options.symmetryPlane) = *symmetry;
+    set(epsilon, options.segmentation.epsilon);
+    set(simplicity, options.segmentation.simplicity);
+    set(smoothness, options.segmentation.smoothness);
+    set(tightness, options.proxy.wrap.tightness);
+    set(runs, options.segmentation.runs);
+    set(proxyVertices, options.proxy.targetVertices);
+    set(seed, options.segmentation.seed);
+}
 
 ParsedSurfaceArguments parseSurfaceArguments(const QStringList &arguments)
 {

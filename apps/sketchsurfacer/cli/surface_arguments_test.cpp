@@ -10,6 +10,7 @@ class SurfaceArgumentsTest : public QObject
 private slots:
     void defaultsAreThoseOfTheEngine();
     void everyOptionArrives();
+    void givenOptionsGoOverStoredOnes();
     void planes_data();
     void planes();
     void strokeLists_data();
@@ -47,13 +48,15 @@ void SurfaceArgumentsTest::defaultsAreThoseOfTheEngine()
 void SurfaceArgumentsTest::everyOptionArrives()
 {
     const ParsedSurfaceArguments parsed = parse(
-        "in.curves -o out.PLY --proxy m.stl --symmetry auto --epsilon 0.02 --simplicity 0.5 --smoothness 3 "
+        "in.curves more.obj -o out.PLY --scribbles s.json --proxy m.stl --symmetry auto --epsilon 0.02 "
+        "--simplicity 0.5 --smoothness 3 "
         "--runs 10 --seed 9007199254740991 --proxy-vertices 5000 --tightness 0.25 --boundary 3 --ignore "
         "5,7-9 "
         "--report r.json --picture p.PNG -q");
     QVERIFY2(parsed.arguments, qPrintable(parsed.message));
     const SurfaceArguments &a = *parsed.arguments;
-    QCOMPARE(a.input, std::filesystem::path("in.curves"));
+    QCOMPARE(a.inputs, (std::vector<std::filesystem::path>{"in.curves", "more.obj"}));
+    QCOMPARE(a.scribbles, std::filesystem::path("s.json"));
     QCOMPARE(a.output, std::filesystem::path("out.PLY"));
     QCOMPARE(a.proxy, std::filesystem::path("m.stl"));
     QCOMPARE(a.report, std::filesystem::path("r.json"));
@@ -69,6 +72,20 @@ void SurfaceArgumentsTest::everyOptionArrives()
     QCOMPARE(a.boundaryStrokes, std::vector<int>{3});
     QCOMPARE(a.ignoredStrokes, (std::vector<int>{5, 7, 8, 9}));
     QVERIFY(a.quiet);
+}
+
+void SurfaceArgumentsTest::givenOptionsGoOverStoredOnes()
+{
+    SurfaceOptions stored;
+    stored.segmentation.runs = 7;
+    stored.segmentation.epsilon = 0.05;
+    stored.symmetry = SymmetryMode::Auto;
+    const ParsedSurfaceArguments parsed = parse("in.ductus -o out.ductus --epsilon 0.02 --symmetry none");
+    QVERIFY2(parsed.arguments, qPrintable(parsed.message));
+    parsed.arguments->given.applyTo(stored);
+    QCOMPARE(stored.segmentation.epsilon, 0.02);
+    QCOMPARE(stored.segmentation.runs, 7);
+    QCOMPARE(int(stored.symmetry), int(SymmetryMode::None));
 }
 
 void SurfaceArgumentsTest::planes_data()

@@ -4,9 +4,11 @@
 #include "cli/terminal_job.h"
 #include "formats/mesh_file.h"
 #include "formats/png_file.h"
-#include "formats/sketch_file.h"
 #include "geometry/remesh.h"
+#include "sketchsurfacer/cli/project_output.h"
 #include "sketchsurfacer/cli/result_picture.h"
+#include "sketchsurfacer/cli/scribble_file.h"
+#include "sketchsurfacer/cli/sketch_input.h"
 #include "sketchsurfacer/cli/surface_arguments.h"
 #include "sketchsurfacer/cli/surface_report.h"
 
@@ -24,6 +26,7 @@ namespace {
 constexpr double notFollowed = 0.03;
 
 constexpr char writingMesh[] = "Writing the mesh";
+constexpr char writingProject[] = "Writing the project";
 constexpr char writingReport[] = "Writing the report";
 constexpr char writingPicture[] = "Writing the picture";
 
@@ -57,8 +60,10 @@ Result<void> checkOutputs(const SurfaceArguments &a)
             continue;
         if (Result<void> writable = checkWritable(*path, attempted); !writable)
             return writable;
-        for (const std::filesystem::path *input : {&a.input, &a.proxy})
-            if (!input->empty() && isSameFile(*path, *input))
+        std::vector<std::filesystem::path> inputs = a.inputs;
+        inputs.insert(inputs.end(), {a.proxy, a.scribbles});
+        for (const std::filesystem::path &input : inputs)
+            if (!input.empty() && isSameFile(*path, input))
                 return Error{ErrorCode::InvalidArgument, attempted,
                              "this file is also read; it would be overwritten", "Choose another name",
                              path->string()};
@@ -66,19 +71,17 @@ Result<void> checkOutputs(const SurfaceArguments &a)
     return {};
 }
 
-Result<void> checkIsSketch(const SketchFile &sketch, const std::filesystem::path &path)
+// "front.curves + back.curves"
+std::string nameOf(const SurfaceArguments &a)
 {
-    if (!sketch.isPointCloud)
-        return {};
-    return Error{ErrorCode::Unsupported, "Reading the sketch",
-                 "these " + std::to_string(sketch.strokes.strokes.size()) +
-                     " points do not follow one another: a cloud of points and not drawn strokes",
-                 "Give the points of each stroke in drawing order, with a blank line between strokes",
-                 path.string()};
+    std::string name;
+    for (const std::filesystem::path &input : a.inputs)
+        name += (name.empty() ? "" : " + ") + input.filename().string();
+    return name;
 }
 
 // However many strokes there are: without width there is no side for a surface to be on.
-Result<void> checkHasWidth(const StrokeSet &strokes, const std::filesystem::path &path)
+Result<void> checkHasWidth(const StrokeSet &strokes, const std::string &place)
 {
     std::vector<Vec3> points;
     for (const Stroke &stroke : strokes.strokes)
@@ -96,7 +99,7 @@ Result<void> checkHasWidth(const StrokeSet &strokes, const std::filesystem::path
         if ((p - points.front()).cross(along).norm() > 1e-6 * box.diagonal())
             return {};
     return Error{ErrorCode::TooLittleData, "Surfacing the sketch", "all strokes lie on one straight line",
-                 "Draw strokes that go around the shape", path.string()};
+                 "Draw strokes that go around the shape", place};
 }
 
 // Repaired here and not only in the engine, so that an error names the file it is about.
@@ -123,12 +126,16 @@ Result<TriangleMesh> readProxy(const std::filesystem::path &path, const JobContr
 }
 
 // All files asked for, or none of them.
-Result<void> writeOutputs(const SurfaceArguments &a, const StrokeSet &strokes, const SurfaceResult &result,
+Result<void> writeOutputs(const SurfaceArguments &a, const SurfacingState &state,
+                          const std::optional<TriangleMesh> &proxy, const std::vector<Scribble> &scribbles,
                           const JobControl &control)
 {
+    const StrokeSet &strokes = state.sketch->input;
+    const SurfaceResult &result = *state.surface;
     OutputFiles files;
     if (!a.report.empty()) {
-        const std::string text = surfaceReport(a.input, strokes, a.options, result).dump(2) + "\n";
+        const std::string text =
+            surfaceReport(nameOf(a), int(scribbles.size()), strokes, state.options, result).dump(2) + "\n";
         if (Result<void> added = files.add(a.report, std::as_bytes(std::span(text)), writingReport); !added)
             return added;
     }
@@ -139,16 +146,24 @@ Result<void> writeOutputs(const SurfaceArguments &a, const StrokeSet &strokes, c
         if (Result<void> added = files.add(a.picture, *png, writingPicture); !added)
             return added;
     }
-    MeshFileContent content;
-    content.mesh = result.mesh;
-    content.triangleRegions = result.triangleRegions;
-    content.featureLines = result.featureLines;
-    content.comment = "SketchSurfacer surface of " + a.input.filename().string();
-    const Result<std::string> mesh = meshBytes(content, a.output.extension().string(), control);
-    if (!mesh)
-        return mesh.error();
-    if (Result<void> added = files.add(a.output, std::as_bytes(std::span(*mesh)), writingMesh); !added)
-        return added;
+    if (isProjectExtension(a.output)) {
+        const Result<Bytes> project = projectBytes(state, proxy, scribbles, a.inputs.front().stem().string());
+        if (!project)
+            return project.error();
+        if (Result<void> added = files.add(a.output, *project, writingProject); !added)
+            return added;
+    } else {
+        MeshFileContent content;
+        content.mesh = result.mesh;
+        content.triangleRegions = result.triangleRegions;
+        content.featureLines = result.featureLines;
+        content.comment = "SketchSurfacer surface of " + nameOf(a);
+        const Result<std::string> mesh = meshBytes(content, a.output.extension().string(), control);
+        if (!mesh)
+            return mesh.error();
+        if (Result<void> added = files.add(a.output, std::as_bytes(std::span(*mesh)), writingMesh); !added)
+            return added;
+    }
     if (control.isCancelled())
         return cancelledError(writingMesh);
     return files.commit();
@@ -166,6 +181,18 @@ std::string summary(const SurfaceResult &result)
     return text;
 }
 
+Result<SurfacingState> surfaced(const StrokeSet &strokes, const std::optional<TriangleMesh> &proxy,
+                                const std::vector<Scribble> &scribbles, const SurfaceOptions &options,
+                                const JobControl &control)
+{
+    const Result<SurfacingState> prepared = prepareSurfacing(strokes, proxy, options, control.part(0.0, 0.5));
+    if (!prepared)
+        return prepared;
+    const Result<SurfacingState> labelled =
+        solveLabels(*prepared, scribbles, options, control.part(0.5, 0.8));
+    return labelled ? extractSurface(*labelled, options, control.part(0.8, 1.0)) : labelled;
+}
+
 ExitCode run(SurfaceArguments &a, TerminalJob &job)
 {
     const JobControl control = job.control();
@@ -173,11 +200,9 @@ ExitCode run(SurfaceArguments &a, TerminalJob &job)
         return fail(job, writable.error());
 
     control.progress(0.0, "Reading the sketch");
-    Result<SketchFile> sketch = readSketch(a.input, {}, control);
+    Result<SketchInput> sketch = readSketches(a.inputs, control);
     if (!sketch)
         return fail(job, sketch.error());
-    if (Result<void> isSketch = checkIsSketch(*sketch, a.input); !isSketch)
-        return fail(job, isSketch.error());
     for (const std::string &warning : sketch->warnings)
         std::fprintf(stderr, "sketchsurfacer: %s\n", warning.c_str());
     for (Result<void> chosen :
@@ -185,9 +210,19 @@ ExitCode run(SurfaceArguments &a, TerminalJob &job)
           setRoles(sketch->strokes, a.ignoredStrokes, StrokeRole::Ignored, "--ignore")})
         if (!chosen)
             return fail(job, chosen.error());
-    if (Result<void> hasWidth = checkHasWidth(sketch->strokes, a.input); !hasWidth)
+    const std::string place = a.inputs.size() == 1 ? a.inputs.front().string() : nameOf(a);
+    if (Result<void> hasWidth = checkHasWidth(sketch->strokes, place); !hasWidth)
         return fail(job, hasWidth.error());
-    std::optional<TriangleMesh> proxy;
+    SurfaceOptions options = sketch->options.value_or(a.options);
+    a.given.applyTo(options);
+    std::vector<Scribble> scribbles = sketch->scribbles;
+    if (!a.scribbles.empty()) {
+        Result<std::vector<Scribble>> read = readScribbles(a.scribbles);
+        if (!read)
+            return fail(job, read.error());
+        scribbles.insert(scribbles.end(), read->begin(), read->end());
+    }
+    std::optional<TriangleMesh> proxy = sketch->givenProxy;
     if (!a.proxy.empty()) {
         Result<TriangleMesh> mesh = readProxy(a.proxy, control);
         if (!mesh)
@@ -195,17 +230,20 @@ ExitCode run(SurfaceArguments &a, TerminalJob &job)
         proxy = std::move(*mesh);
     }
 
-    const Result<SurfaceResult> result =
-        surfaceSketch(sketch->strokes, proxy, a.options, control.part(0.02, 0.97));
-    if (!result) {
-        Error error = result.error();
+    const Result<SurfacingState> state =
+        surfaced(sketch->strokes, proxy, scribbles, options, control.part(0.02, 0.97));
+    if (!state) {
+        Error error = state.error();
         if (error.place.empty())
-            error.place = a.input.filename().string();
+            error.place = nameOf(a);
+        else if (!a.scribbles.empty())
+            error.place = a.scribbles.string() + ": " + error.place;
         return fail(job, error);
     }
+    const SurfaceResult *result = state->surface.get();
 
     control.progress(0.97, "Writing the result");
-    if (Result<void> written = writeOutputs(a, sketch->strokes, *result, control.part(0.97, 1.0)); !written)
+    if (Result<void> written = writeOutputs(a, *state, proxy, scribbles, control.part(0.97, 1.0)); !written)
         return fail(job, written.error());
 
     control.progress(1.0, "Done");
@@ -239,8 +277,7 @@ ExitCode runSurfaceCommand(const QStringList &arguments)
         return run(*parsed.arguments, job);
     } catch (const std::bad_alloc &) {
         return fail(job, {ErrorCode::TooLarge, "Surfacing the sketch", "the memory does not suffice for it",
-                          "Thin the sketch out, or lower --proxy-vertices",
-                          parsed.arguments->input.filename().string()});
+                          "Thin the sketch out, or lower --proxy-vertices", nameOf(*parsed.arguments)});
     }
 }
 

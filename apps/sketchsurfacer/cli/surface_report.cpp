@@ -20,7 +20,7 @@ double rounded(double value)
 
 } // namespace
 
-nlohmann::ordered_json surfaceReport(const std::filesystem::path &input, const StrokeSet &strokes,
+nlohmann::ordered_json surfaceReport(const std::string &input, int scribbles, const StrokeSet &strokes,
                                      const SurfaceOptions &options, const SurfaceResult &result)
 {
     using Json = nlohmann::ordered_json;
@@ -28,7 +28,7 @@ nlohmann::ordered_json surfaceReport(const std::filesystem::path &input, const S
     Json report;
     report["schema"] = "surface-report";
     report["version"] = 1;
-    report["input"] = input.filename().string();
+    report["input"] = input;
     report["strokes"] = strokes.strokes.size();
     report["points"] = strokes.pointCount();
     report["diagonal"] = rounded(strokes.box().diagonal());
@@ -37,7 +37,8 @@ nlohmann::ordered_json surfaceReport(const std::filesystem::path &input, const S
                          {"simplicity", options.segmentation.simplicity},
                          {"smoothness", options.segmentation.smoothness},
                          {"runs", options.segmentation.runs},
-                         {"seed", options.segmentation.seed}};
+                         {"seed", options.segmentation.seed},
+                         {"scribbles", scribbles}};
     report["proxy"] = {{"kind", proxyKindName(result.proxy.kind)},
                        {"vertices", result.proxy.mesh.vertexCount()},
                        {"open", result.proxy.isOpen},
