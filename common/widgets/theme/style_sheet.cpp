@@ -72,6 +72,10 @@ QAbstractItemView { background: @field; border: 1px solid @line; border-radius: 
 QHeaderView::section { background: @panel; color: @dim; border: none; border-bottom: 1px solid @line; padding: 6px 8px; }
 QDockWidget::title { background: @panel; padding: 8px; }
 QDockWidget > QWidget { background: @panel; }
+QMainWindow::separator { background: @line; width: 1px; height: 1px; }
+#historyView { border: none; border-radius: 0; background: @panel; padding: 0 8px; }
+#historyView::item { padding: 4px 0; border-radius: 4px; }
+#historyView::item:selected { background: @selected; color: @text; }
 QSplitter::handle { background: @line; }
 QStatusBar { background: @panel; border-top: 1px solid @line; }
 QStatusBar::item { border: none; }
