@@ -27,7 +27,8 @@ void dress(QApplication &application, const ThemeColours &colours);
 /// The colours \a palette was made of by qtPalette(); those of the nearest theme for other palettes.
 ThemeColours coloursOf(const QPalette &palette);
 
-/// 10 pt of the system's sans, with figures of one width where the font has them.
+/// 10 pt of the system's sans. Its figures are of one width in the fonts Debian has by default; Qt 6.4 cannot
+/// ask for them.
 QFont baseFont();
 
 /// \a font in the weight of headings.
