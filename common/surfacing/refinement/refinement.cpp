@@ -1,6 +1,6 @@
 #include "surfacing/refinement/refinement.h"
 
-#include "surfacing/refinement/scribble_effect.h"
+#include "surfacing/refinement/warm_start.h"
 
 namespace ductus {
 
@@ -18,7 +18,6 @@ Result<SharedSolution> automaticSolution(const ScribbleDomain &domain, const Seg
         std::make_shared<const LabelSolution>(unscribbled(domain, std::move(*segmentation), options)));
 }
 
-// Warm start (thesis Sec. III.6): Algorithm 1 from its relabelling on, with the labels and models there are.
 Result<SharedSolution> applied(const ScribbleDomain &domain, const SharedSolution &before,
                                const Scribble &scribble, const SegmentationOptions &options,
                                const JobControl &control)
@@ -27,9 +26,7 @@ Result<SharedSolution> applied(const ScribbleDomain &domain, const SharedSolutio
     if (!effect)
         return effect.error();
     int iterations = 0;
-    Result<ModelLabeling> fit =
-        fitModels(wholeGraph(domain.association, domain.topology), options, std::move(effect->start),
-                  effect->constraints, Proposals::WhereChanged, control, &iterations);
+    Result<ModelLabeling> fit = warmStarted(domain, *effect, options, control, iterations);
     if (!fit)
         return fit.error();
     auto solution = std::make_shared<LabelSolution>();
