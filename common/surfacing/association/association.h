@@ -29,11 +29,14 @@ struct Association
     std::vector<OrientedPoint> points;              // stroke points and the proxy's normals there
     std::vector<StrokeSample> samples;              // beside points
     std::vector<OrientedPoint> vertices;            // the proxy's, with their normals
+    std::vector<int> vertexCounts;                  // how many vertices each stands for; empty: one
     std::vector<std::vector<int>> pointsOfVertex;   // P_v: indices into points, at most one an edge
     std::vector<double> edgeWeights;                // w^e c^e of Sec. III.6
     std::vector<char> edgeIsCrossed;                // by a stroke that carries surface or border
     int pairCount = 0;                              // N_p of Eq. III.2: sum of |P_v|
     std::vector<int> unreachedStrokes;              // strokes no part of which lies near the proxy
+
+    double countAt(std::size_t v) const { return vertexCounts.empty() ? 1.0 : vertexCounts[v]; }
 };
 
 /// \a strokes in the unit frame; those with roles other than Surface and Boundary are passed over.

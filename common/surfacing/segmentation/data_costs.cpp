@@ -2,12 +2,22 @@
 
 namespace ductus {
 
-std::vector<double> dataCosts(const Association &association, const ImplicitPolynomial &model, double epsilon)
+double contradiction(const OrientedPoint &vertex, const ImplicitPolynomial &model, const ProxyPrior &prior)
+{
+    Vec3 gradient;
+    const double ratio = model.signedDistance(vertex.point, &gradient) / prior.distance;
+    const double away = std::max(0.0, ratio * ratio - 1.0);
+    const double across = std::max(0.0, (prior.cosine - gradient.dot(vertex.normal)) / prior.cosine);
+    return std::min(away + across, prior.bound);
+}
+
+std::vector<double> dataCosts(const Association &association, const ImplicitPolynomial &model, double epsilon,
+                              const ProxyPrior &prior)
 {
     std::vector<double> squared(association.points.size());
     for (std::size_t i = 0; i < squared.size(); ++i) {
-        // A stray level set far from its own points can be arbitrarily wrong; a bound keeps sums finite and lets
-        // one bad point weigh no more than a stroke that is a whole box away.
+        // A stray level set far from its own points can be arbitrarily wrong; a bound keeps sums finite and
+        // lets one bad point weigh no more than a stroke that is a whole box away.
         const double distance = std::min(std::abs(model.signedDistance(association.points[i].point)), 1.0);
         squared[i] = distance * distance;
     }
@@ -19,6 +29,13 @@ std::vector<double> dataCosts(const Association &association, const ImplicitPoly
             sum += squared[std::size_t(i)];
         costs[v] = sum * scale;
     }
+    double freeCount = 0.0;
+    for (std::size_t v = 0; v < association.vertices.size(); ++v)
+        freeCount += association.pointsOfVertex[v].empty() ? association.countAt(v) : 0.0;
+    for (std::size_t v = 0; v < association.vertices.size(); ++v)
+        if (association.pointsOfVertex[v].empty())
+            costs[v] = prior.weight * association.countAt(v) / freeCount *
+                       contradiction(association.vertices[v], model, prior);
     return costs;
 }
 

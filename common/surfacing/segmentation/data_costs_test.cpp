@@ -33,6 +33,8 @@ private slots:
     void areEquationIII2();
     void oneStrayPointIsBounded();
     void unassociatedMeshCostsNothing();
+    void proxyHasASayWhereNoStrokeRuns();
+    void clustersCountForAllTheirVertices();
     void pointsOfFlaggedVerticesOnceEach();
 };
 
@@ -65,6 +67,36 @@ void DataCostsTest::unassociatedMeshCostsNothing()
     Association a;
     a.pointsOfVertex.resize(5);
     QCOMPARE(dataCosts(a, planeZ(), 0.01), std::vector<double>(5, 0.0));
+}
+
+void DataCostsTest::proxyHasASayWhereNoStrokeRuns()
+{
+    Association a = threePoints();
+    a.vertices = {
+        {{0, 0, 9}, Vec3::UnitX()}, {{0, 0, 0.04}, Vec3(0.5, 0, 1).normalized()}, {{0, 0, 9}, Vec3::UnitX()}};
+    const auto add = [&](const Vec3 &point, const Vec3 &normal) {
+        a.vertices.push_back({point, normal});
+        a.pointsOfVertex.emplace_back();
+    };
+    add({0.2, 0, 0.1}, Vec3::UnitZ()); // twice as far as proxies stray
+    add({0.2, 0, 0.9}, Vec3::UnitZ()); // a whole world away: bounded
+    add({0.2, 0, 0.0}, Vec3::UnitX()); // the model runs across the proxy
+    const ProxyPrior prior;
+    const std::vector<double> costs = dataCosts(a, planeZ(), 0.01, prior);
+    QVERIFY(std::abs(costs[0] - (1.0 + 4.0) / 4) < 1e-12); // where strokes run only they count
+    QCOMPARE(costs[1], 0.0);                               // as a crude proxy may be
+    QVERIFY(std::abs(costs[3] - prior.weight / 4 * 3.0) < 1e-12);
+    QVERIFY(std::abs(costs[4] - prior.weight / 4 * prior.bound) < 1e-12);
+    QVERIFY(std::abs(costs[5] - prior.weight / 4 * 1.0) < 1e-12);
+}
+
+void DataCostsTest::clustersCountForAllTheirVertices()
+{
+    Association a = threePoints();
+    a.vertices = {{}, {{0, 0, 0.1}, Vec3::UnitZ()}, {}, {{0.5, 0, 0.0}, Vec3::UnitZ()}};
+    a.pointsOfVertex.emplace_back();
+    a.vertexCounts = {1, 30, 1, 10};
+    QVERIFY(std::abs(dataCosts(a, planeZ(), 0.01)[1] - ProxyPrior().weight * 0.75 * 3.0) < 1e-12);
 }
 
 void DataCostsTest::pointsOfFlaggedVerticesOnceEach()

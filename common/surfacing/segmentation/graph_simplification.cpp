@@ -151,7 +151,9 @@ SimplifiedGraph simplified(const Association &association, const MeshTopology &t
             a.pointsOfVertex.push_back(association.pointsOfVertex[v]); // none for a cluster of several
             if (!association.vertices.empty())
                 a.vertices.push_back(association.vertices[v]); // one direction a cluster is enough
+            a.vertexCounts.push_back(0);
         }
+        a.vertexCounts[std::size_t(number)] += int(association.countAt(v));
         graph.clusterOfVertex.push_back(number);
     }
     a.points = association.points;

@@ -1,6 +1,7 @@
 #include "surfacing/segmentation/proposals.h"
 
 #include "base/parallel.h"
+#include "surfacing/segmentation/data_costs.h"
 #include "surfacing/segmentation/region_fit.h"
 
 #include <algorithm>
@@ -45,6 +46,49 @@ std::vector<std::pair<int, int>> neighboursByBorderWeight(const Association &ass
     return pairs;
 }
 
+// Connected parts of regions whose models contradict the proxy there, each with the strokes around it: a flat
+// bottom seen as the inside of the cylinder through its rim.
+std::vector<RegionSupport> contradictedParts(const Association &association, const MeshTopology &topology,
+                                             const std::vector<int> &labels,
+                                             const std::vector<ImplicitPolynomial> &models)
+{
+    constexpr int fewest = 8;    // stroke points, to fit anything to
+    constexpr int ringCount = 2; // to reach the strokes around
+    std::vector<char> isContradicted(labels.size(), 0);
+    for (std::size_t v = 0; v < association.vertices.size(); ++v)
+        isContradicted[v] = association.pointsOfVertex[v].empty() &&
+                            contradiction(association.vertices[v], models[std::size_t(labels[v])], {}) > 0.0;
+    std::vector<RegionSupport> parts;
+    std::vector<char> isDone(labels.size(), 0);
+    for (std::size_t seed = 0; seed < labels.size(); ++seed) {
+        if (!isContradicted[seed] || isDone[seed])
+            continue;
+        std::vector<char> flags(labels.size(), 0);
+        std::vector<int> part{int(seed)};
+        isDone[seed] = flags[seed] = 1;
+        const auto grow = [&](std::size_t from, std::size_t to, auto accept) {
+            for (std::size_t i = from; i < to; ++i)
+                for (int e : topology.vertexEdges[std::size_t(part[i])]) {
+                    const std::size_t w = std::size_t(topology.neighbour(part[i], e));
+                    if (flags[w] || !accept(w))
+                        continue;
+                    flags[w] = 1;
+                    part.push_back(int(w));
+                }
+        };
+        for (std::size_t from = 0, to = 1; from < to; from = to, to = part.size())
+            grow(from, to, [&](std::size_t w) { return isContradicted[w] && labels[w] == labels[seed]; });
+        for (int v : part)
+            isDone[std::size_t(v)] = 1;
+        for (int ring = 0; ring < ringCount; ++ring)
+            grow(0, part.size(), [](std::size_t) { return true; });
+        RegionSupport support = supportOf(association, flags);
+        if (int(support.points.size()) >= fewest)
+            parts.push_back(std::move(support));
+    }
+    return parts;
+}
+
 } // namespace
 
 std::vector<ImplicitPolynomial> proposeModels(const Association &association, const MeshTopology &topology,
@@ -81,6 +125,10 @@ std::vector<ImplicitPolynomial> proposeModels(const Association &association, co
             proposals.push_back({support, degree});
         ++merges;
     }
+
+    for (const RegionSupport &part : contradictedParts(association, topology, labels, models))
+        for (int degree = 1; degree <= std::min(2, options.maxDegree); ++degree)
+            proposals.push_back({part, degree});
 
     std::vector<ImplicitPolynomial> result(proposals.size());
     parallelFor(0, proposals.size(), [&](std::size_t i) {

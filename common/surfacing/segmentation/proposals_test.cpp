@@ -75,6 +75,7 @@ private slots:
     void triesEachMergeOnce();
     void distantRegionsAreNotMerged();
     void noMergesWhenNoneAreAsked();
+    void planeForAFaceWhoseModelOnlyPassesItsOutline();
 };
 
 void ProposalsTest::regionsWithLowerDegrees()
@@ -132,6 +133,39 @@ void ProposalsTest::noMergesWhenNoneAreAsked()
         QVERIFY(!containsUnion(s, proposed, regions));
     for (int degree = 1; degree <= maxPolynomialDegree; ++degree)
         QVERIFY(!contains(proposed, s.fit({1}, degree))); // a plane has no lower degree
+}
+
+void ProposalsTest::planeForAFaceWhoseModelOnlyPassesItsOutline()
+{
+    // A flat square with strokes along its border only, explained by a cylinder that stands on it.
+    Stripes s;
+    s.options.mergesPerIteration = 0;
+    s.association = Association();
+    for (const Vec3 &p : s.mesh.vertices) {
+        const bool isRim = std::min({p.x(), 1.0 - p.x(), p.y(), 1.0 - p.y()}) < 1e-9;
+        s.association.vertices.push_back({p, Vec3::UnitZ()});
+        s.association.pointsOfVertex.emplace_back();
+        if (!isRim)
+            continue;
+        s.association.pointsOfVertex.back().push_back(int(s.association.points.size()));
+        s.association.points.push_back({p, Vec3::UnitZ()});
+    }
+    s.association.pairCount = int(s.association.points.size());
+    s.association.edgeIsCrossed.assign(s.topology.edges.size(), 0);
+    s.association.edgeWeights.assign(s.topology.edges.size(), 1.0);
+    s.labels.assign(s.mesh.vertices.size(), 0);
+    ImplicitPolynomial cylinder{2, Vec3(0.5, 0.5, 0.0), Eigen::VectorXd::Zero(10)};
+    cylinder.theta[0] = -0.25;
+    cylinder.theta[4] = cylinder.theta[7] = 1.0;
+    TriedMerges tried;
+    const auto proposed = proposeModels(s.association, s.topology, s.labels, {cylinder}, s.options, tried);
+    QVERIFY(std::any_of(proposed.begin(), proposed.end(), [](const ImplicitPolynomial &m) {
+        Vec3 normal;
+        return std::abs(m.signedDistance(Vec3(0.5, 0.5, 0.0), &normal)) < 1e-6 && normal.z() > 0.999;
+    }));
+    // With the plane in place nothing contradicts it any more.
+    const auto again = proposeModels(s.association, s.topology, s.labels, {s.fit({0}, 1)}, s.options, tried);
+    QVERIFY(again.empty());
 }
 
 QTEST_APPLESS_MAIN(ProposalsTest)
