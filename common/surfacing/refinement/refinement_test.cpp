@@ -186,6 +186,7 @@ private slots:
     void lockKeepsARegionFromALaterMerge();
     void splitAlongALine();
     void splitAroundARing();
+    void splitOfAnOpenSurface();
     void splitSnapsToANearStroke();
     void seamRunsExactlyThere();
     void forbiddenSeamGoesAway();
@@ -266,6 +267,34 @@ void RefinementTest::splitAlongALine()
         QVERIFY(left != right);
         QCOMPARE(scene.labelsWhere(*after, isOnTop), (std::set<int>{left, right}));
         QCOMPARE(after->segmentation.models.size(), std::size_t(7));
+    }
+}
+
+void RefinementTest::splitOfAnOpenSurface()
+{
+    const TriangleMesh sheet = zoo::grid(20, 0.1);
+    const MeshTopology topology(sheet);
+    const NearestOnMesh nearest(sheet);
+    StrokeSet strokes;
+    for (double y : {0.2, 0.5, 0.8})
+        strokes.strokes.push_back(line(Vec3(0, y, 0), Vec3(1, y, 0)));
+    Association association = *associate(strokes, sheet, topology, {}, {});
+    const UnitFrame frame;
+    const std::optional<SymmetryPlane> plane;
+    const ScribbleDomain domain{sheet, topology, nearest, association, frame, plane};
+    std::vector<int> all;
+    for (int v = 0; v < sheet.vertexCount(); ++v)
+        all.push_back(v);
+    for (double end : {1.05, 1.0, 0.7}) { // beyond the border, on it, short of it
+        const Result<ScribblePath> path =
+            layOnProxy(domain, {Vec3(0.52, 1.0 - end, 0), Vec3(0.52, 0.5, 0.1), Vec3(0.52, end, 0)});
+        QVERIFY(path.ok());
+        const auto cut = cutAlong(domain, all, *path, CutEnds::Extended);
+        QVERIFY2(cut.has_value(), qPrintable(QString::number(end)));
+        QVERIFY(cut->left.size() > all.size() / 4 && cut->right.size() > all.size() / 4);
+        for (int v : cut->left)
+            QVERIFY(std::abs(sheet.vertices[std::size_t(v)].y() - 0.5) > 0.2 ||
+                    sheet.vertices[std::size_t(v)].x() < 0.6);
     }
 }
 

@@ -27,6 +27,8 @@ public:
             mInPart[std::size_t(v)] = 1;
         for (std::size_t i = 0; i < path.crossedEdges.size(); ++i)
             cross(path.crossedEdges[i], path.left[i], path.right[i]);
+        leaveSurface(path.triangles.front(), true);
+        leaveSurface(path.triangles.back(), false);
     }
 
     void extend()
@@ -94,6 +96,21 @@ private:
         --mVotes[std::size_t(right)];
     }
 
+    // A line that ends in a triangle on the border of an open surface goes out there: the border edge would
+    // else join its two sides.
+    void leaveSurface(int triangle, bool backwards)
+    {
+        for (int e : mTopology.faceEdges[std::size_t(triangle)]) {
+            if (!mTopology.isBorder(e))
+                continue;
+            auto [left, right] = sidesOfCrossing(mDomain.proxy, mTopology, e, triangle);
+            if (backwards)
+                std::swap(left, right);
+            cross(e, left, right);
+            return;
+        }
+    }
+
     bool nearlyCloses() const
     {
         double length = 0.0;
@@ -158,6 +175,8 @@ private:
                 }
             }
         }
+        if (reached >= 0 && goal < 0)
+            leaveSurface(reached, backwards);
         for (int t = reached; t >= 0 && t != from;) {
             const int e = viaEdge[std::size_t(t)];
             const int previous = mTopology.across(e, t);
