@@ -25,13 +25,13 @@ void WrongUsageTest::saysWhatIsExpected_data()
         QTest::newRow(name) << QString(arguments).split(' ', Qt::SkipEmptyParts) << QString(says);
     };
     row("nothing", "", "Usage:");
-    row("unknown command", "surfaces IN -o OUT", "there is no command \"surfaces\"");
+    row("unknown command", "surfaces IN -o OUT", "there is no command and no file \"surfaces\"");
     row("no sketch", "surface -o OUT", "no sketch was given");
     row("no output", "surface IN", "-o OUT is missing");
     row("output without value", "surface IN -o", "-o");
     row("unknown option", "surface IN -o OUT --smooth 3", "smooth");
-    row("unknown output format", "surface IN -o out.docx", ".obj, .ply, .stl, .off or .glb");
-    row("output without extension", "surface IN -o out", ".obj, .ply, .stl, .off or .glb");
+    row("unknown output format", "surface IN -o out.docx", ".obj, .ply, .stl, .off, .glb or .ductus");
+    row("output without extension", "surface IN -o out", ".obj, .ply, .stl, .off, .glb or .ductus");
     row("picture of another kind", "surface IN -o OUT --picture p.jpg", ".png");
     row("report onto output", "surface IN -o OUT --report OUT", "same file");
     row("report onto output, spelled differently", "surface IN -o out.obj --report ./out.obj", "same file");
