@@ -116,7 +116,8 @@ void SketchDocument::deleteStrokes(const std::vector<StrokeId> &ids)
         return;
     SketchContent content = mContent;
     content.strokes = std::make_shared<const StrokeSet>(std::move(next));
-    edit(tr("Delete %n stroke(s)", nullptr, int(removed)), std::move(content));
+    edit(removed == 1 ? tr("Delete stroke") : tr("Delete %n strokes", nullptr, int(removed)),
+         std::move(content));
 }
 
 void SketchDocument::setGivenProxy(std::shared_ptr<const TriangleMesh> proxy)

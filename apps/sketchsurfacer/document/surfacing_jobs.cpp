@@ -1,5 +1,7 @@
 #include "sketchsurfacer/document/surfacing_jobs.h"
 
+#include "sketchsurfacer/document/background_work.h"
+
 #include <QPointer>
 
 namespace ductus {
@@ -50,6 +52,7 @@ void SurfacingJobs::start()
     const bool sameInput = before != nullptr;
     const QPointer<SurfacingJobs> self(this);
     auto work = [content, before, sameInput, self](const JobControl &control) -> Result<StatePointer> {
+        workInBackground();
         const auto onPreview = [&](const SurfacingState &labelled) {
             auto preview = std::make_shared<const SurfacingState>(labelled);
             if (self && !control.isCancelled())

@@ -26,15 +26,21 @@ Neighbours neighbouringRegions(const TriangleMesh &mesh, const std::vector<int> 
     return neighbours;
 }
 
-// The colour number furthest from those of \a taken.
-int mostDifferent(const std::vector<int> &taken)
+// The colour number furthest from those of \a taken, one that is not \a used anywhere as long as there is
+// one.
+int mostDifferent(const std::vector<int> &taken, const std::vector<int> &used)
 {
+    const auto isUsed = [&](int number) { return std::find(used.begin(), used.end(), number) != used.end(); };
     int best = 0;
-    double largest = -1.0;
+    double largest = -1e12;
     for (int number = 0; number < regionColourCount; ++number) {
         double nearest = 1e9;
         for (int other : taken)
             nearest = std::min(nearest, colourDistance(regionColour(number), regionColour(other)));
+        if (isUsed(number))
+            nearest -= 1e6;
+        if (isUsed(number))
+            nearest -= 1e6;
         if (nearest > largest) {
             largest = nearest;
             best = number;
@@ -72,7 +78,7 @@ std::vector<Rgba> RegionPalette::colours(const TriangleMesh &mesh, const std::ve
                     taken.push_back(numbers[std::size_t(other)]);
             int &number = numbers[std::size_t(r)];
             if (number < 0 || std::find(taken.begin(), taken.end(), number) != taken.end())
-                number = mostDifferent(taken);
+                number = mostDifferent(taken, numbers);
         }
     }
     mNumberOfId.clear();

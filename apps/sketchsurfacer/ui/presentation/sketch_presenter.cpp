@@ -1,5 +1,7 @@
 #include "sketchsurfacer/ui/presentation/sketch_presenter.h"
 
+#include "sketchsurfacer/document/background_work.h"
+
 #include <algorithm>
 
 namespace ductus {
@@ -101,7 +103,7 @@ void SketchPresenter::showExtent()
     const StrokeSet &strokes = mDocument.strokes();
     mView.setExtent(strokes.box(), strokes.upAxis, strokes.metresPerUnit);
     if (!mShown)
-        mView.setGround(groundShadow(strokes.allPoints(), strokes.upAxis, 0.32));
+        mView.setGround(groundShadow(strokes.allPoints(), strokes.upAxis, 0.24));
 }
 
 void SketchPresenter::showStrokes()
@@ -156,8 +158,11 @@ void SketchPresenter::showResult()
             adopt(kept);
             return;
         }
-    auto work = [state, strokes = mDocument.content().strokes, palette = mPalette](
-                    const JobControl &control) { return makeResultView(state, *strokes, *palette, control); };
+    auto work = [state, strokes = mDocument.content().strokes,
+                 palette = mPalette](const JobControl &control) {
+        workInBackground();
+        return makeResultView(state, *strokes, *palette, control);
+    };
     auto finish = [this, state](Result<ViewPointerToResult> view) {
         if (!view)
             return; // cancelled: a newer one is being made

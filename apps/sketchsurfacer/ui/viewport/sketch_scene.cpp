@@ -20,7 +20,7 @@ namespace ductus {
 namespace {
 
 constexpr double forwardShare =
-    1.0 / 160; // of the scene's diagonal: how deep a line in a surface is still seen
+    1.0 / 90; // of the scene's diagonal: how deep a line in a surface is still seen
 
 // Lights that go with the camera: the work is lit the same from everywhere.
 void addLights(vtkRenderer *renderer)
@@ -33,9 +33,9 @@ void addLights(vtkRenderer *renderer)
     };
     // Camera coordinates: the eye is at (0, 0, 1), the target at the origin.
     const Lamp lamps[] = {
-        {{-0.55, 0.9, 0.85}, {1.0, 0.985, 0.96}, 0.72}, // key, above the left shoulder
-        {{0.9, 0.15, 0.75}, {0.9, 0.94, 1.0}, 0.26},    // fill
-        {{0.05, 0.1, 1.0}, {1.0, 1.0, 1.0}, 0.16},      // along the view, so that nothing is black
+        {{-0.55, 0.9, 0.85}, {1.0, 0.985, 0.96}, 0.62}, // key, above the left shoulder
+        {{0.9, 0.15, 0.75}, {0.9, 0.94, 1.0}, 0.30},    // fill
+        {{0.05, 0.1, 1.0}, {1.0, 1.0, 1.0}, 0.34},      // along the view, so that nothing is black
         {{0.2, -0.9, 0.25}, {0.86, 0.9, 1.0}, 0.12},    // what the ground throws back
     };
     renderer->AutomaticLightCreationOff();
@@ -54,7 +54,6 @@ vtkSmartPointer<vtkRenderer> newRenderer()
 {
     auto renderer = vtkSmartPointer<vtkRenderer>::New();
     renderer->GradientBackgroundOn();
-    renderer->UseFXAAOn();
     addLights(renderer);
     return renderer;
 }
@@ -85,6 +84,12 @@ SketchScene::SketchScene() : mMain(newRenderer()), mLeft(newRenderer())
             mLeft->AddActor(actor(item));
         else
             mMain->AddActor(actor(item));
+    }
+    // Colours that say something stay near themselves, also in the shade.
+    for (const SceneItem item :
+         {SceneItem::Regions, SceneItem::Deviation, SceneItem::Strokes, SceneItem::Sketch}) {
+        actor(item)->GetProperty()->SetAmbient(0.34);
+        actor(item)->GetProperty()->SetDiffuse(0.68);
     }
     actor(SceneItem::Scribbles)->GetProperty()->SetAmbient(0.45); // their colour is their meaning
     actor(SceneItem::Scribbles)->GetProperty()->SetDiffuse(0.6);
@@ -139,6 +144,12 @@ bool SketchScene::isVisible(SceneItem item) const
 bool SketchScene::has(SceneItem item) const
 {
     return mHasContent[std::size_t(item)];
+}
+
+void SketchScene::setSmoothEdges(bool on)
+{
+    for (vtkRenderer *renderer : {mMain.Get(), mLeft.Get()})
+        renderer->SetUseFXAA(on);
 }
 
 void SketchScene::setBackground(Rgba top, Rgba bottom)

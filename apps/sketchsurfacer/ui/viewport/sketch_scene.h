@@ -33,6 +33,8 @@ public:
     void setVisible(SceneItem item, bool visible);
     bool isVisible(SceneItem item) const;
     bool has(SceneItem item) const;
+    /// Edges without stairs; without a graphics card this costs three times the frame itself.
+    void setSmoothEdges(bool on);
     void setBackground(Rgba top, Rgba bottom);
     /// Everything the scene may hold lies in \a box, scene units.
     void setExtent(const Box3 &box) { mExtent = box; }

@@ -8,7 +8,10 @@ namespace ductus {
 
 namespace {
 
-constexpr double clickReach = 4.0;   // pixels a hand trembles
+constexpr double clickReach = 4.0; // pixels a hand trembles
+constexpr int restMilliseconds =
+    180;                            // after the last change the picture is drawn once more, with smooth edges
+constexpr double quickFrame = 14.0; // milliseconds; where smooth edges cost so little they are always drawn
 constexpr double dividerReach = 8.0; // pixels around the divider that grab it
 
 double distanceToSegment(const QPointF &p, const QPointF &a, const QPointF &b, double *share)
@@ -48,6 +51,9 @@ SketchView::SketchView(QWidget *parent) : VtkWidget(parent)
     addRenderer(mScene.mainRenderer());
     addRenderer(mScene.leftRenderer());
     mOverlay = new ViewOverlay(*this);
+    mAtRest.setSingleShot(true);
+    mAtRest.setInterval(restMilliseconds);
+    connect(&mAtRest, &QTimer::timeout, this, &SketchView::drawSmoothly);
     setDark(true);
 }
 
@@ -103,9 +109,13 @@ void SketchView::setScribbles(const std::vector<ViewLine> &lines)
 
 void SketchView::setMesh(SceneItem item, const ViewMesh &mesh)
 {
+    const bool hadMesh = mScene.has(item);
     mMeshes[std::size_t(item)] = mesh;
     mScene.setMesh(item, mesh.shaded);
-    rebuildTubes();
+    if (mScene.has(item) != hadMesh && item == meshOfMode(mMode))
+        rebuildTubes(); // strokes look otherwise alone
+    else
+        showItems();
 }
 
 void SketchView::setCreases(const std::vector<std::vector<Vec3>> &lines)
@@ -132,6 +142,12 @@ void SketchView::setMode(ViewMode mode)
 void SketchView::setStrokesShown(bool shown)
 {
     mStrokesShown = shown;
+    showItems();
+}
+
+void SketchView::setScribblesShown(bool shown)
+{
+    mScribblesShown = shown;
     showItems();
 }
 
@@ -166,13 +182,23 @@ void SketchView::showItems()
     mScene.setVisible(SceneItem::Creases, hasSurface && mScene.has(mesh) && mMode != ViewMode::Regions);
     mScene.setVisible(SceneItem::Strokes, mStrokesShown || mMode == ViewMode::Sketch);
     mScene.setVisible(SceneItem::Sketch, true);
-    mScene.setVisible(SceneItem::Scribbles, hasSurface);
+    mScene.setVisible(SceneItem::Scribbles, hasSurface && (mScribblesShown || mMode == ViewMode::Regions));
     mScene.setVisible(SceneItem::Ground, true);
     moved();
 }
 
+void SketchView::drawSmoothly()
+{
+    mIsSmooth = true;
+    update();
+}
+
 void SketchView::moved()
 {
+    const bool isQuick = mIsSmooth && frameCount() > 0 && lastFrameMilliseconds() < quickFrame;
+    mIsSmooth = isQuick;
+    if (!isQuick)
+        mAtRest.start();
     update();
     mOverlay->update();
     emit cameraMoved();
@@ -282,6 +308,7 @@ void SketchView::prepareFrame()
         mCamera.frame(mExtent);
         mFramed = true;
     }
+    mScene.setSmoothEdges(mIsSmooth);
     mScene.follow(mCamera, mMode == ViewMode::Sketch ? std::nullopt : mDivider);
 }
 

@@ -9,6 +9,7 @@
 #include "sketchsurfacer/ui/viewport/vtk_widget.h"
 #include "strokes/stroke.h"
 
+#include <QTimer>
 #include <memory>
 #include <optional>
 
@@ -53,6 +54,8 @@ public:
     ViewMode mode() const { return mMode; }
     bool hasMesh(SceneItem item) const { return mScene.has(item); }
     void setStrokesShown(bool shown);
+    /// Also outside the view of the regions.
+    void setScribblesShown(bool shown);
     bool areStrokesShown() const { return mStrokesShown; }
     /// Share of the width left of which the sketch alone is seen; nothing: no comparison.
     void setComparison(std::optional<double> divider);
@@ -109,6 +112,7 @@ private:
     void moved();
     double strokeRadius() const;
     void rebuildTubes();
+    void drawSmoothly();
 
     SketchScene mScene;
     ViewCamera mCamera;
@@ -120,12 +124,15 @@ private:
     double mMetresPerUnit = 1.0;
     ViewMode mMode = ViewMode::Sketch;
     bool mStrokesShown = true;
+    bool mScribblesShown = false;
     bool mDark = true;
     std::optional<double> mDivider;
     Drag mDrag = Drag::None;
     QPointF mPressed, mLast;
     bool mHasMoved = false;
     bool mFramed = false;
+    QTimer mAtRest;
+    bool mIsSmooth = false;
 };
 
 } // namespace ductus

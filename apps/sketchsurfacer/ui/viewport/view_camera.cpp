@@ -56,18 +56,23 @@ void ViewCamera::frame(const Box3 &box)
     mTarget = box.centre();
     mPivot.reset();
     mDistance = 1.02 * radius / std::sin(narrow);
-    // The sphere is a cautious bound: come nearer until a corner of the box touches the margin.
-    double largest = 0.0;
-    for (int corner = 0; corner < 8; ++corner) {
-        const Vec3 p(corner & 1 ? box.max.x() : box.min.x(), corner & 2 ? box.max.y() : box.min.y(),
-                     corner & 4 ? box.max.z() : box.min.z());
-        if (const std::optional<QPointF> at = project(p)) {
+    // The sphere is a cautious bound: come nearer until a corner of the box touches the margin. Near corners
+    // grow faster than the distance shrinks, so this takes a few rounds.
+    for (int round = 0; round < 8; ++round) {
+        double largest = 0.0;
+        for (int corner = 0; corner < 8; ++corner) {
+            const Vec3 p(corner & 1 ? box.max.x() : box.min.x(), corner & 2 ? box.max.y() : box.min.y(),
+                         corner & 4 ? box.max.z() : box.min.z());
+            const std::optional<QPointF> at = project(p);
+            if (!at)
+                return;
             largest = std::max(largest, std::abs(2.0 * at->x() / mViewport.width() - 1.0));
             largest = std::max(largest, std::abs(2.0 * at->y() / mViewport.height() - 1.0));
         }
+        const double deepest =
+            (box.max - box.min).cwiseProduct(forward()).cwiseAbs().sum() / 2.0; // corner to centre
+        mDistance = std::max(deepest + (mDistance - deepest) * largest / 0.86, 1.05 * deepest);
     }
-    if (largest > 0.0)
-        mDistance = std::max(mDistance * largest / 0.86, 0.6 * box.diagonal());
 }
 
 void ViewCamera::setPreset(ViewPreset preset)

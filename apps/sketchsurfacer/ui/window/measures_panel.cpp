@@ -24,11 +24,28 @@ constexpr Unit units[] = {{QT_TRANSLATE_NOOP("ductus::MeasuresPanel", "metre"), 
                           {QT_TRANSLATE_NOOP("ductus::MeasuresPanel", "inch"), 0.0254},
                           {QT_TRANSLATE_NOOP("ductus::MeasuresPanel", "foot"), 0.3048}};
 
+// All three in the unit of the largest: "51.6 × 31.3 × 37.8 cm".
+QString sizeText(const Vec3 &metres, const QLocale &locale)
+{
+    const QString largest = lengthText(metres.maxCoeff(), locale);
+    const QString unit = largest.mid(largest.indexOf(QChar(0x00a0)));
+    const double size = unit.endsWith(QLatin1String("mm"))   ? 0.001
+                        : unit.endsWith(QLatin1String("cm")) ? 0.01
+                        : unit.endsWith(QLatin1String("km")) ? 1000.0
+                                                             : 1.0;
+    QStringList numbers;
+    for (int axis = 0; axis < 3; ++axis)
+        numbers << locale.toString(metres[axis] / size, 'g', 3);
+    return numbers.join(QStringLiteral(" × ")) + unit;
+}
+
 QLabel *valueLabel()
 {
     auto *label = new QLabel(QStringLiteral("–"));
     label->setTextInteractionFlags(Qt::TextSelectableByMouse);
     label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    label->setSizePolicy(QSizePolicy::Ignored,
+                         QSizePolicy::Preferred); // the inspector's width, not the number's
     return label;
 }
 
@@ -48,11 +65,15 @@ MeasuresPanel::MeasuresPanel(SketchDocument &document, QWidget *parent) : QWidge
     mDeviation->setToolTip(
         tr("Half of the strokes' points lie nearer to the surface than this; in brackets: 95 %."));
     mUnit = new QComboBox;
+    mUnit->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    mUnit->setMinimumContentsLength(6);
     mUnit->setAccessibleName(tr("Unit of the sketch"));
     mUnit->setToolTip(tr("What the number 1 of the sketch's file means. Nothing is scaled."));
     for (const Unit &unit : units)
         mUnit->addItem(tr(unit.name), unit.metres);
     mUp = new QComboBox;
+    mUp->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    mUp->setMinimumContentsLength(6);
     mUp->setAccessibleName(tr("Up axis"));
     mUp->addItems({tr("y is up"), tr("z is up")});
     form->addRow(tr("Size"), mSize);
@@ -89,9 +110,7 @@ void MeasuresPanel::refresh()
         mSize->setText(none);
     } else {
         const Vec3 size = metres * (box.max - box.min);
-        mSize->setText(QStringLiteral("%1 × %2 × %3")
-                           .arg(lengthText(size.x(), locale()), lengthText(size.y(), locale()),
-                                lengthText(size.z(), locale())));
+        mSize->setText(sizeText(size, locale()));
     }
     mStrokes->setText(locale().toString(int(strokes.strokes.size())));
     mArea->setText(surface ? areaText(surfaceArea(surface->mesh) * metres * metres, locale()) : none);

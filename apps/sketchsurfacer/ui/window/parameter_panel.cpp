@@ -60,6 +60,8 @@ ParameterPanel::ParameterPanel(SketchDocument &document, QWidget *parent)
     rows->addWidget(mSimplicity);
 
     mSymmetry = new QComboBox;
+    mSymmetry->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    mSymmetry->setMinimumContentsLength(6);
     mSymmetry->setAccessibleName(tr("Symmetry"));
     mSymmetry->setToolTip(tr("Only one half is solved and mirrored, welded exactly in the plane."));
     mSymmetry->addItems(

@@ -63,7 +63,10 @@ RegionList::RegionList(QWidget *parent) : QWidget(parent)
     mTree->setUniformRowHeights(true);
     mTree->setAllColumnsShowFocus(true);
     mTree->setFrameShape(QFrame::NoFrame);
-    mTree->setMinimumHeight(200);
+    mTree->setMinimumSize(80, 200);
+    mTree->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    mTree->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    mTree->setIconSize(QSize(16, 16));
     mTree->setContextMenuPolicy(Qt::CustomContextMenu);
     mTree->setHeaderLabels({tr("Kind"), tr("Area"), tr("Off by"), QString()});
     mTree->headerItem()->setToolTip(Deviation, tr("Mean distance of its strokes from the region."));

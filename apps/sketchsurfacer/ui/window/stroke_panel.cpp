@@ -55,6 +55,8 @@ StrokePanel::StrokePanel(SketchDocument &document, SketchPresenter &presenter, T
     form->setVerticalSpacing(6);
     mChosen = new QLabel;
     mRole = new QComboBox;
+    mRole->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    mRole->setMinimumContentsLength(6);
     mRole->setAccessibleName(tr("Role"));
     mRole->setToolTip(tr("With strokes chosen: what they are for. Otherwise: what the role brush paints."));
     for (StrokeRole role : roles)
@@ -83,8 +85,9 @@ StrokePanel::StrokePanel(SketchDocument &document, SketchPresenter &presenter, T
 void StrokePanel::refresh()
 {
     const std::vector<StrokeId> &chosen = mPresenter.selection();
-    mChosen->setText(chosen.empty() ? tr("No stroke chosen")
-                                    : tr("%n stroke(s) chosen", nullptr, int(chosen.size())));
+    mChosen->setText(chosen.empty()       ? tr("No stroke chosen")
+                     : chosen.size() == 1 ? tr("One stroke chosen")
+                                          : tr("%n strokes chosen", nullptr, int(chosen.size())));
     mDelete->setEnabled(!chosen.empty());
     StrokeRole shown = mTools.brushRole();
     for (const Stroke &stroke : mDocument.strokes().strokes)

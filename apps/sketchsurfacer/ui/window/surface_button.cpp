@@ -64,7 +64,7 @@ void SurfaceButton::refresh()
     if (mDocument.isEmpty())
         mState->setText(tr("Open a sketch or draw strokes first."));
     else if (result && result->surface)
-        mState->setText(tr("Up to date: %n region(s)", nullptr, int(result->surface->regions.size())) +
+        mState->setText(tr("Up to date: %n regions", nullptr, int(result->surface->regions.size())) +
                         (result->timings.total > 0.05
                              ? tr(", %1 s").arg(locale().toString(result->timings.total, 'f', 1))
                              : QString()));
@@ -72,7 +72,7 @@ void SurfaceButton::refresh()
         mState->setText(tr("The surface is older than the sketch."));
     else
         mState->setText(
-            tr("%n stroke(s), not surfaced yet.", nullptr, int(mDocument.strokes().strokes.size())));
+            tr("%n strokes, not surfaced yet.", nullptr, int(mDocument.strokes().strokes.size())));
 }
 
 void SurfaceButton::showProgress(const JobState &state)

@@ -37,13 +37,13 @@ void SurfacerWindow::fillStartPage()
     page->setDropSentence(tr("Drop a sketch (.curves, .obj, .txt), a proxy mesh or a project anywhere."));
     const auto refresh = [this] {
         QList<SampleCard> cards;
-        const bool dark = coloursOf(palette()).isDark;
+        const bool dark = coloursOf(QGuiApplication::palette()).isDark;
         for (const SampleSketch &sample : mSamples)
             cards << SampleCard{sample.title, sample.lesson, samplePicturePath(sample, dark), sample.id};
         startPage()->setSamples(cards);
     };
     const auto draw = [this, refresh] {
-        drawSamplePictures(jobs(), mSamples, coloursOf(palette()).isDark, refresh);
+        drawSamplePictures(jobs(), mSamples, coloursOf(QGuiApplication::palette()).isDark, refresh);
     };
     refresh();
     draw();
@@ -109,9 +109,9 @@ void SurfacerWindow::openPath(const QString &path)
     } else if (isProxyFile(path)) {
         openProxy(path);
     } else {
-        openSketch(tr("Reading %1").arg(QFileInfo(path).fileName()),
-                   [path](const JobControl &control) { return importSketch(path, control); });
-        remember(path);
+        openSketch(
+            tr("Reading %1").arg(QFileInfo(path).fileName()),
+            [path](const JobControl &control) { return importSketch(path, control); }, path);
     }
 }
 
@@ -144,16 +144,20 @@ void SurfacerWindow::pasteSketch()
 }
 
 void SurfacerWindow::openSketch(const QString &title,
-                                std::function<Result<ImportedSketch>(const JobControl &)> read)
+                                std::function<Result<ImportedSketch>(const JobControl &)> read,
+                                const QString &rememberedPath)
 {
     if (!confirmLeaving())
         return;
     jobs().start<ImportedSketch>({QStringLiteral("open"), title}, std::move(read),
-                                 [this](Result<ImportedSketch> sketch) {
-                                     if (sketch)
-                                         adoptSketch(std::move(*sketch));
-                                     else
+                                 [this, rememberedPath](Result<ImportedSketch> sketch) {
+                                     if (!sketch) {
                                          showError(sketch.error());
+                                         return;
+                                     }
+                                     if (!rememberedPath.isEmpty())
+                                         remember(rememberedPath);
+                                     adoptSketch(std::move(*sketch));
                                  });
 }
 

@@ -12,6 +12,7 @@
 #include "widgets/theme/theme.h"
 
 #include <QActionGroup>
+#include <QGuiApplication>
 #include <QMouseEvent>
 #include <algorithm>
 
@@ -44,7 +45,7 @@ SurfacerWindow::SurfacerWindow(const ShellServices &services, QWidget *parent)
     fillInspector();
     fillStartPage();
     connectParts();
-    mPresenter->setDark(coloursOf(palette()).isDark);
+    mPresenter->setDark(coloursOf(QGuiApplication::palette()).isDark);
     setHint(mTools->hint());
     refreshSwitch();
 }
@@ -107,7 +108,7 @@ void SurfacerWindow::connectParts()
             openPath(path);
     });
     connect(this, &MainWindowShell::themeChanged, this,
-            [this] { mPresenter->setDark(coloursOf(palette()).isDark); });
+            [this] { mPresenter->setDark(coloursOf(QGuiApplication::palette()).isDark); });
     mView->installEventFilter(this);
 }
 

@@ -56,7 +56,8 @@ private:
     void newSketch();
     void chooseAndOpen();
     void openProject(const QString &path);
-    void openSketch(const QString &title, std::function<Result<ImportedSketch>(const JobControl &)> read);
+    void openSketch(const QString &title, std::function<Result<ImportedSketch>(const JobControl &)> read,
+                    const QString &rememberedPath = {});
     void openProxy(const QString &path);
     void adoptSketch(ImportedSketch sketch);
     void remember(const QString &path);

@@ -82,6 +82,7 @@ ToolBox::~ToolBox()
 void ToolBox::setTool(ToolKind kind)
 {
     mKind = kind;
+    mView.setScribblesShown(scribbleOf(kind).has_value());
     if (const std::optional<ScribbleKind> scribble = scribbleOf(kind)) {
         const bool isLine = *scribble == ScribbleKind::Seam || *scribble == ScribbleKind::Split ||
                             *scribble == ScribbleKind::ForbidSeam || *scribble == ScribbleKind::Merge;
