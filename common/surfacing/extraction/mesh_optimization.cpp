@@ -13,8 +13,8 @@ namespace {
 
 using Positions = Eigen::MatrixXd; // V x 3
 
-// The Gauss-Newton model of the projection term at the present positions: per vertex a symmetric 3x3 matrix and a
-// gradient.
+// The Gauss-Newton model of the projection term at the present positions: per vertex a symmetric 3x3 matrix
+// and a gradient.
 struct Projection
 {
     std::vector<Eigen::Matrix3d> hessian;
@@ -25,12 +25,11 @@ class Optimizer
 {
 public:
     Optimizer(const SeamedMesh &seamed, const std::vector<ImplicitPolynomial> &models,
-              const std::vector<BorderAttraction> &borderTargets, const std::vector<double> &strokeDistance,
-              const std::optional<SymmetryPlane> &plane, const std::vector<char> &inPlane,
-              const MeshOptimizationOptions &options)
-        : mSeamed(seamed), mModels(models), mBorderTargets(borderTargets), mStrokeDistance(strokeDistance),
-          mPlane(plane), mInPlane(inPlane), mOptions(options), mTopology(seamed.mesh),
-          mStartNormals(vertexNormals(seamed.mesh)), mX(seamed.mesh.vertexCount(), 3)
+              const std::vector<BorderAttraction> &borderTargets, const std::optional<SymmetryPlane> &plane,
+              const std::vector<char> &inPlane, const MeshOptimizationOptions &options)
+        : mSeamed(seamed), mModels(models), mBorderTargets(borderTargets), mPlane(plane), mInPlane(inPlane),
+          mOptions(options), mTopology(seamed.mesh), mStartNormals(vertexNormals(seamed.mesh)),
+          mX(seamed.mesh.vertexCount(), 3)
     {
         for (int v = 0; v < seamed.mesh.vertexCount(); ++v)
             mX.row(v) = seamed.mesh.vertices[std::size_t(v)].transpose();
@@ -77,27 +76,9 @@ private:
         Eigen::SparseMatrix<double> preconditioner = mSmooth;
         // The projection acts along one of three directions; the mean of its eigenvalues is a third.
         for (Eigen::Index v = 0; v < mX.rows(); ++v)
-            preconditioner.coeffRef(v, v) +=
-                trust(std::size_t(v)) / 3.0 + 2.0 * mOptions.sliding / 3.0 + mOptions.damping;
+            preconditioner.coeffRef(v, v) += (1.0 + 2.0 * mOptions.sliding) / 3.0 + mOptions.damping;
         const bool ok = mPreconditioner.factorize(preconditioner);
         DUCTUS_ASSERT(ok); // a sum of squares plus a positive diagonal
-    }
-
-    double trust(int label, std::size_t v) const
-    {
-        if (mStrokeDistance.empty() || mModels[std::size_t(label)].degree <= 2)
-            return 1.0;
-        const double ratio = mStrokeDistance[v] / mOptions.strokeReach;
-        return std::max(mOptions.leastTrust, std::exp(-ratio * ratio));
-    }
-
-    // Mean over the models of a vertex.
-    double trust(std::size_t v) const
-    {
-        double sum = 0.0;
-        for (int label : mSeamed.vertexLabels[v])
-            sum += trust(label, v) / double(mSeamed.vertexLabels[v].size());
-        return sum;
     }
 
     Projection project() const
@@ -105,22 +86,26 @@ private:
         Projection p;
         p.hessian.assign(std::size_t(mX.rows()), Eigen::Matrix3d::Identity() * mOptions.damping);
         p.gradient.setZero(mX.rows(), 3);
-        parallelFor(0, std::size_t(mX.rows()), [&](std::size_t v) {
-            const Vec3 x = mX.row(Eigen::Index(v)).transpose();
-            const std::vector<int> &labels = mSeamed.vertexLabels[v];
-            const Eigen::Matrix3d along =
-                mOptions.sliding * (Eigen::Matrix3d::Identity() - mStartNormals[v] * mStartNormals[v].transpose());
-            p.hessian[v] += along;
-            p.gradient.row(Eigen::Index(v)) += (along * (x - mSeamed.mesh.vertices[v])).transpose();
-            for (int label : labels) {
-                Vec3 n;
-                const double distance = mModels[std::size_t(label)].signedDistance(x, &n);
-                const double ratio = distance / mOptions.trustDistance;
-                const double weight = trust(label, v) / (double(labels.size()) * (1.0 + ratio * ratio));
-                p.hessian[v] += weight * n * n.transpose();
-                p.gradient.row(Eigen::Index(v)) += weight * distance * n.transpose();
-            }
-        }, 256);
+        parallelFor(
+            0, std::size_t(mX.rows()),
+            [&](std::size_t v) {
+                const Vec3 x = mX.row(Eigen::Index(v)).transpose();
+                const std::vector<int> &labels = mSeamed.vertexLabels[v];
+                const Eigen::Matrix3d along =
+                    mOptions.sliding *
+                    (Eigen::Matrix3d::Identity() - mStartNormals[v] * mStartNormals[v].transpose());
+                p.hessian[v] += along;
+                p.gradient.row(Eigen::Index(v)) += (along * (x - mSeamed.mesh.vertices[v])).transpose();
+                for (int label : labels) {
+                    Vec3 n;
+                    const double distance = mModels[std::size_t(label)].signedDistance(x, &n);
+                    const double ratio = distance / mOptions.trustDistance;
+                    const double weight = 1.0 / (double(labels.size()) * (1.0 + ratio * ratio));
+                    p.hessian[v] += weight * n * n.transpose();
+                    p.gradient.row(Eigen::Index(v)) += weight * distance * n.transpose();
+                }
+            },
+            256);
         for (const BorderAttraction &target : mBorderTargets) {
             p.hessian[std::size_t(target.vertex)] += Eigen::Matrix3d::Identity();
             p.gradient.row(target.vertex) += mX.row(target.vertex) - target.target.transpose();
@@ -176,7 +161,6 @@ private:
     const SeamedMesh &mSeamed;
     const std::vector<ImplicitPolynomial> &mModels;
     const std::vector<BorderAttraction> &mBorderTargets;
-    const std::vector<double> &mStrokeDistance;
     const std::optional<SymmetryPlane> &mPlane;
     const std::vector<char> &mInPlane;
     const MeshOptimizationOptions &mOptions;
@@ -192,11 +176,11 @@ private:
 
 Result<OptimizedMesh> optimizeMesh(const SeamedMesh &seamed, const std::vector<ImplicitPolynomial> &models,
                                    const std::vector<BorderAttraction> &borderTargets,
-                                   const std::vector<double> &strokeDistance,
-                                   const std::optional<SymmetryPlane> &plane, const std::vector<char> &inPlane,
-                                   const MeshOptimizationOptions &options, const JobControl &control)
+                                   const std::optional<SymmetryPlane> &plane,
+                                   const std::vector<char> &inPlane, const MeshOptimizationOptions &options,
+                                   const JobControl &control)
 {
-    return Optimizer(seamed, models, borderTargets, strokeDistance, plane, inPlane, options).run(control);
+    return Optimizer(seamed, models, borderTargets, plane, inPlane, options).run(control);
 }
 
 } // namespace ductus

@@ -70,17 +70,11 @@ std::vector<BorderAttraction> held(const SeamedMesh &seamed)
     return targets;
 }
 
-// As if every vertex lay on a stroke: all models are trusted.
-std::vector<double> onStrokes(const SeamedMesh &seamed)
-{
-    return std::vector<double>(seamed.mesh.vertices.size(), 0.0);
-}
-
 OptimizedMesh optimized(const SeamedMesh &seamed, const std::vector<ImplicitPolynomial> &models,
                         const std::vector<BorderAttraction> &targets)
 {
     Result<OptimizedMesh> result =
-        optimizeMesh(seamed, models, targets, onStrokes(seamed), std::nullopt, {}, {}, {});
+        optimizeMesh(seamed, models, targets, std::nullopt, {}, {}, {});
     if (!result)
         qFatal("%s", result.error().message().c_str());
     return std::move(*result);
@@ -122,7 +116,6 @@ private slots:
     void withoutTargetsBordersStillEnd();
     void inPlaneVerticesStayInThePlane();
     void strayModelPullsLittle();
-    void cubicsAreTrustedNearStrokesOnly();
     void sameInputSameMesh();
     void cancelled();
 };
@@ -269,7 +262,7 @@ void MeshOptimizationTest::inPlaneVerticesStayInThePlane()
     const Vec3 shift = 0.02 * mirror.normal;
     ImplicitPolynomial shifted = roundModel(0.4, true);
     shifted.origin = shift;
-    const auto result = optimizeMesh(seamed, {shifted}, {}, onStrokes(seamed), mirror, inPlane, {}, {});
+    const auto result = optimizeMesh(seamed, {shifted}, {}, mirror, inPlane, {}, {});
     QVERIFY(result.ok());
     double moved = 0.0;
     for (std::size_t v = 0; v < inPlane.size(); ++v)
@@ -295,32 +288,6 @@ void MeshOptimizationTest::strayModelPullsLittle()
         QVERIFY(p.allFinite() && std::abs(p.z()) < 0.6);
 }
 
-void MeshOptimizationTest::cubicsAreTrustedNearStrokesOnly()
-{
-    // The sheet z = 0, its border held, and a model at z = 0.02 that is a plane, also when written as a
-    // cubic.
-    const SeamedMesh sheet = twoSheets([](double) { return 0.0; }, 0.0);
-    const auto middleHeight = [&](int degree, double strokeDistance) {
-        ImplicitPolynomial model = plane(Vec3::UnitZ(), 0.02);
-        model.degree = degree;
-        model.theta.conservativeResizeLike(Eigen::VectorXd::Zero(monomialCount(degree)));
-        const std::vector<double> distances(sheet.mesh.vertices.size(), strokeDistance);
-        const auto result =
-            optimizeMesh(sheet, {model, model}, held(sheet), distances, std::nullopt, {}, {}, {});
-        double sum = 0.0;
-        int count = 0;
-        for (const Vec3 &p : result->mesh.vertices)
-            if (p.head<2>().norm() < 0.05) {
-                sum += p.z();
-                ++count;
-            }
-        return sum / count;
-    };
-    QVERIFY(std::abs(middleHeight(3, 0.0) - 0.02) < 1e-3);
-    QVERIFY(std::abs(middleHeight(1, 0.5) - 0.02) < 1e-3); // planes hold everywhere
-    QVERIFY2(std::abs(middleHeight(3, 0.5)) < 2e-3, qPrintable(QString::number(middleHeight(3, 0.5))));
-}
-
 void MeshOptimizationTest::sameInputSameMesh()
 {
     const SeamedMesh noisy = twoSheets(roofHeight, 0.004);
@@ -334,7 +301,7 @@ void MeshOptimizationTest::cancelled()
 {
     const std::atomic<bool> cancel = true;
     const SeamedMesh noisy = twoSheets(roofHeight, 0.004);
-    const auto result = optimizeMesh(noisy, roofModels(), {}, onStrokes(noisy), std::nullopt, {}, {},
+    const auto result = optimizeMesh(noisy, roofModels(), {}, std::nullopt, {}, {},
                                      JobControl(&cancel, {}));
     QVERIFY(!result.ok());
     QVERIFY(result.error().isCancelled());

@@ -64,10 +64,10 @@ void SmoothnessOperatorTest::weightFallsWithTheAngle()
 {
     constexpr double pi = std::numbers::pi;
     QVERIFY(std::abs(weightAt(0.0) - 1.0) < 1e-7);
-    QVERIFY(std::abs(weightAt(0.99 * pi / 8) - 1.0) < 1e-12);
-    QVERIFY(std::abs(weightAt(0.5 * (pi / 8 + pi / 3)) - 0.5) < 1e-9);
-    QVERIFY(std::abs(weightAt(pi / 8 + 0.25 * (pi / 3 - pi / 8)) - 0.75) < 1e-9);
-    for (double angle : {1.01 * pi / 3, pi / 2, 0.9 * pi, pi})
+    QVERIFY(std::abs(weightAt(0.99 * pi / 12) - 1.0) < 1e-12);
+    QVERIFY(std::abs(weightAt(0.5 * (pi / 12 + pi / 6)) - 0.5) < 1e-9);
+    QVERIFY(std::abs(weightAt(pi / 12 + 0.25 * (pi / 6 - pi / 12)) - 0.75) < 1e-9);
+    for (double angle : {1.01 * pi / 6, pi / 2, 0.9 * pi, pi})
         QCOMPARE(weightAt(angle), 0.0);
 }
 

@@ -1,6 +1,5 @@
 #include "surfacing/pipeline/finish_surface.h"
 
-#include "base/parallel.h"
 #include "geometry/nearest.h"
 #include "surfacing/extraction/feature_lines.h"
 #include "surfacing/extraction/half_mesh.h"
@@ -98,22 +97,6 @@ std::vector<BorderAttraction> borderTargets(const TriangleMesh &mesh, const Stro
         targets.push_back(target); // where no stroke is near, the trimmed border stays where it is
     }
     return targets;
-}
-
-std::vector<double> strokeDistances(const TriangleMesh &mesh, const StrokeSet &strokes, double farthest)
-{
-    std::vector<Vec3> points;
-    for (const Stroke &stroke : strokes.strokes)
-        if (stroke.role == StrokeRole::Surface || stroke.role == StrokeRole::Boundary)
-            points.insert(points.end(), stroke.points.begin(), stroke.points.end());
-    std::vector<double> distances(mesh.vertices.size());
-    parallelFor(0, distances.size(), [&](std::size_t v) {
-        double squared = farthest * farthest;
-        for (const Vec3 &p : points)
-            squared = std::min(squared, (p - mesh.vertices[v]).squaredNorm());
-        distances[v] = std::sqrt(squared);
-    }, 64);
-    return distances;
 }
 
 void finishSurface(const StrokeSet &input, const UnitFrame &frame, const SeamedMesh &seamed,

@@ -13,9 +13,6 @@ namespace ductus {
 std::vector<BorderAttraction> borderTargets(const TriangleMesh &mesh, const StrokeSet &strokes,
                                             const std::vector<char> &inPlane);
 
-/// Distance of every vertex to the nearest stroke point; at most \a farthest.
-std::vector<double> strokeDistances(const TriangleMesh &mesh, const StrokeSet &strokes, double farthest);
-
 /// Regions of the whole mesh, one a triangle, from the labels of its (half) mesh: those of the mirrored side are
 /// regions of their own unless they touch the plane. \a labelOfRegion receives one label a region.
 std::vector<int> wholeRegions(const SeamedMesh &seamed, bool isMirrored, const std::vector<char> &inPlane,

@@ -113,7 +113,6 @@ Result<SurfacingState> extractSurface(const SurfacingState &labelled, const Surf
     const std::vector<char> inPlane = planeVertices(seamed.mesh, sketch.plane);
     Result<OptimizedMesh> optimized = optimizeMesh(seamed, state.labels->segmentation.models,
                                                    borderTargets(seamed.mesh, sketch.strokes, inPlane),
-                                                   strokeDistances(seamed.mesh, sketch.strokes, 1.0),
                                                    sketch.plane, inPlane, options.extraction, control);
     if (!optimized)
         return optimized.error();
