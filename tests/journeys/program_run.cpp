@@ -65,6 +65,9 @@ ProgramRun runSketchSurfacer(const QStringList &arguments, const RunOptions &opt
     if (!options.folder.isEmpty())
         process.setWorkingDirectory(options.folder);
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    // The batch commands need no display; with one, no command at all would open the window.
+    for (const char *name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
+        environment.remove(QString::fromLatin1(name));
     for (const QString &variable : options.environment)
         environment.insert(variable.section(QLatin1Char('='), 0, 0), variable.section(QLatin1Char('='), 1));
     process.setProcessEnvironment(environment);
