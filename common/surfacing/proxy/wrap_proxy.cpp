@@ -18,6 +18,7 @@ struct Candidate
     TriangleMesh mesh;
     double volume = 0.0, area = 0.0;
     double thinShare = 0.0; // of the area
+    double buried = 0.0;    // mean depth of the strokes below the wrap, beyond where it keeps off
     int eulerNumber = 0, components = 0;
 };
 
@@ -37,13 +38,26 @@ double thinShare(const TriangleMesh &mesh, double thickness)
     return area > 0.0 ? thin / area : 1.0;
 }
 
-Candidate measured(TriangleMesh mesh, double thickness)
+double buriedDepth(const TriangleMesh &mesh, const std::vector<Vec3> &points, double offset)
+{
+    constexpr std::size_t enough = 1500;
+    const std::size_t stride = points.size() / enough + 1;
+    const NearestOnMesh nearest(mesh);
+    double sum = 0.0;
+    int count = 0;
+    for (std::size_t i = 0; i < points.size(); i += stride, ++count)
+        sum += std::max(0.0, nearest.nearest(points[i]).distance - 2.0 * offset);
+    return count ? sum / count : 0.0;
+}
+
+Candidate measured(TriangleMesh mesh, const std::vector<Vec3> &points, const WrapOptions &options)
 {
     Candidate c;
     const MeshTopology topology(mesh);
     c.volume = signedVolume(mesh);
     c.area = surfaceArea(mesh);
-    c.thinShare = thinShare(mesh, thickness);
+    c.thinShare = thinShare(mesh, options.thickness);
+    c.buried = buriedDepth(mesh, points, options.offset);
     c.eulerNumber = mesh.vertexCount() - int(topology.edges.size()) + mesh.triangleCount();
     triangleComponents(topology, &c.components);
     c.mesh = std::move(mesh);
@@ -56,10 +70,14 @@ std::size_t tightestSolid(const std::vector<Candidate> &candidates, const WrapOp
     std::size_t chosen = 0;
     for (std::size_t i = 1; i < candidates.size(); ++i) {
         leastArea = std::min(leastArea, candidates[i].area);
-        // Drawing back from a concavity loses volume too, but area with it.
-        const bool fellIn = candidates[i].volume < 0.5 * candidates[i - 1].volume ||
-                            (candidates[i].volume < options.keptVolume * candidates[i - 1].volume &&
-                             candidates[i].area > 0.97 * candidates[i - 1].area);
+        // Drawing back from a concavity loses volume too, but area with it; or it uncovers strokes: the stem
+        // of a lamp below its shade.
+        const Candidate &c = candidates[i], &looser = candidates[i - 1];
+        const bool uncovered =
+            c.buried < 0.75 * looser.buried - options.leastUncovered && c.area < 1.06 * looser.area;
+        const bool fellIn =
+            c.volume < 0.5 * looser.volume ||
+            (c.volume < options.keptVolume * looser.volume && c.area > 0.97 * looser.area && !uncovered);
         if (fellIn || candidates[i].area > options.areaGrowth * leastArea ||
             candidates[i].components > candidates[0].components)
             break;
@@ -83,7 +101,8 @@ std::optional<std::size_t> loosestShell(const std::vector<Candidate> &candidates
 
 } // namespace
 
-Result<Wrap> wrapStrokes(const std::vector<Vec3> &points, const WrapOptions &options, const JobControl &control)
+Result<Wrap> wrapStrokes(const std::vector<Vec3> &points, const WrapOptions &options,
+                         const JobControl &control)
 {
     control.progress(0.0, "Wrapping the strokes");
     std::vector<double> alphas = options.alphas;
@@ -98,7 +117,7 @@ Result<Wrap> wrapStrokes(const std::vector<Vec3> &points, const WrapOptions &opt
             return;
         }
         Result<TriangleMesh> mesh = alphaWrap(points, {alphas[i], options.offset});
-        wraps[i] = mesh ? Result<Candidate>(measured(std::move(*mesh), options.thickness)) : mesh.error();
+        wraps[i] = mesh ? Result<Candidate>(measured(std::move(*mesh), points, options)) : mesh.error();
     });
     std::vector<Candidate> candidates;
     for (std::optional<Result<Candidate>> &wrap : wraps) {

@@ -2,6 +2,9 @@
 
 #include "geometry/mesh_topology.h"
 #include "geometry/nearest.h"
+#include "strokes/resample.h"
+#include "support/sketch_synthesis.h"
+#include "surfacing/sketch/unit_frame.h"
 
 #include <QtTest>
 #include <numbers>
@@ -66,6 +69,7 @@ class WrapProxyTest : public QObject
     Q_OBJECT
 private slots:
     void edgesAloneAreASolid();
+    void stemBelowAShadeComesOut();
     void cubeIsASolid();
     void netIsAShell();
     void wrapHoldsItsStrokes();
@@ -84,6 +88,25 @@ void WrapProxyTest::cubeIsASolid()
     const double side = 1.0 / std::sqrt(3.0), volume = side * side * side;
     QVERIFY2(signedVolume(wrap.mesh) > 0.85 * volume && signedVolume(wrap.mesh) < 1.2 * volume,
              qPrintable(QString::number(signedVolume(wrap.mesh) / volume)));
+}
+
+void WrapProxyTest::stemBelowAShadeComesOut()
+{
+    // The first wraps of a lamp hang straight from shade to foot, with the stem buried in them; the step to
+    // the one that draws back loses a third of the volume and no area, as a fall through a hole does.
+    const StrokeSet drawn = synthesizeSketch(tableLamp(), {}).strokes;
+    const UnitFrame frame = unitFrameOf(drawn);
+    std::vector<Vec3> points;
+    for (const Stroke &stroke : inUnitFrame(drawn, frame).strokes)
+        for (const Vec3 &p : resampled(stroke, 0.008).points)
+            points.push_back(p);
+    const Wrap wrap = wrapped(points);
+    QVERIFY(!wrap.isShell);
+    const NearestOnMesh nearest(wrap.mesh);
+    std::size_t deep = 0;
+    for (const Vec3 &p : points)
+        deep += nearest.nearest(p).distance > 0.05;
+    QVERIFY2(deep < points.size() / 20, qPrintable(QString("%1 of %2 buried").arg(deep).arg(points.size())));
 }
 
 void WrapProxyTest::netIsAShell()
