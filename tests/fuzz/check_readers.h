@@ -5,6 +5,7 @@
 
 #include "base/assert.h"
 #include "formats/mesh_file.h"
+#include "formats/paintings/painting_readers.h"
 #include "formats/png_file.h"
 #include "formats/sketch_file.h"
 
@@ -91,6 +92,51 @@ inline bool checkPngReader(std::string_view bytes)
     }
     DUCTUS_ASSERT(image->width > 0 && image->height > 0);
     DUCTUS_ASSERT(image->pixels.size() == std::size_t(image->width) * std::size_t(image->height) * 4);
+    return true;
+}
+
+/// What every painting promises, whatever it was read from.
+inline void checkPainting(const PaintingFile &file, std::size_t fileBytes)
+{
+    DUCTUS_ASSERT(!file.layers.empty() && file.layers[0].parent == -1);
+    std::int64_t points = 0;
+    for (std::size_t l = 0; l < file.layers.size(); ++l) {
+        const PaintingFileLayer &layer = file.layers[l];
+        DUCTUS_ASSERT(l == 0 || (layer.parent >= 0 && layer.parent < int(l)));
+        DUCTUS_ASSERT(layer.opacity >= 0 && layer.opacity <= 1);
+        DUCTUS_ASSERT(layer.transform.matrix().matrix().allFinite());
+        for (const int frame : layer.frames)
+            DUCTUS_ASSERT(frame >= 0 && frame < int(layer.drawings.size()));
+        for (const auto &drawing : layer.drawings) {
+            DUCTUS_ASSERT(drawing);
+            for (const PaintingFileStroke &stroke : drawing->strokes) {
+                points += std::int64_t(stroke.points.size());
+                DUCTUS_ASSERT(stroke.pressure.empty() || stroke.pressure.size() == stroke.points.size());
+                DUCTUS_ASSERT(stroke.timeSeconds.empty() ||
+                              stroke.timeSeconds.size() == stroke.points.size());
+                for (const PaintingFilePoint &point : stroke.points) {
+                    DUCTUS_ASSERT(point.position.allFinite() && point.normal.allFinite());
+                    DUCTUS_ASSERT(point.colour.minCoeff() >= 0 && point.colour.maxCoeff() <= 1);
+                    DUCTUS_ASSERT(point.opacity >= 0 && point.opacity <= 1 && point.halfWidth >= 0);
+                }
+            }
+        }
+    }
+    DUCTUS_ASSERT(file.report.points <= std::int64_t(fileBytes));
+    DUCTUS_ASSERT(points >= file.report.points); // layers may share a drawing
+}
+
+inline bool checkQuillReader(std::string_view bytes)
+{
+    const std::size_t split = std::min(bytes.find('\0'), bytes.size());
+    const auto json = memorySource(bytes.substr(0, split), "Quill.json");
+    const auto qbin = memorySource(bytes.substr(std::min(split + 1, bytes.size())), "Quill.qbin");
+    const auto file = readQuill(*json, qbin.get(), {}, {});
+    if (!file) {
+        checkError(file.error());
+        return false;
+    }
+    checkPainting(*file, bytes.size());
     return true;
 }
 

@@ -77,6 +77,8 @@ void ReadersSurviveMutations::seedsAreValid()
             QVERIFY2(parseSketch(seed.bytes, seed.name, {}, {}).ok(), seed.name.c_str());
         else if (seed.kind == Seed::Mesh)
             QVERIFY2(parseMesh(seed.bytes, seed.name, {}).ok(), seed.name.c_str());
+        else if (seed.kind == Seed::Quill)
+            QVERIFY2(checkQuillReader(seed.bytes), seed.name.c_str());
         else
             QVERIFY2(decodePng(std::as_bytes(std::span(seed.bytes))).ok(), seed.name.c_str());
     }
@@ -103,6 +105,8 @@ void ReadersSurviveMutations::survive()
             accepted += checkSketchReader(bytes, seed.name);
         else if (seed.kind == Seed::Mesh)
             accepted += checkMeshReader(bytes, seed.name);
+        else if (seed.kind == Seed::Quill)
+            accepted += checkQuillReader(bytes);
         else
             accepted += checkPngReader(run % 2 == 0 ? bytes : withRightChecksums(bytes));
     }

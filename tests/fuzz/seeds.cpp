@@ -2,6 +2,7 @@
 
 #include "formats/mesh_file.h"
 #include "formats/png_file.h"
+#include "support/quill_sample.h"
 
 namespace ductus {
 
@@ -54,6 +55,8 @@ std::vector<Seed> fuzzSeeds()
     const auto png = *encodePng(image);
     seeds.push_back(
         {Seed::Png, "seed.png", std::string(reinterpret_cast<const char *>(png.data()), png.size())});
+    const QuillSample quill = quillSample();
+    seeds.push_back({Seed::Quill, "seed_quill", quill.json + '\0' + quill.qbin});
     return seeds;
 }
 

@@ -8,10 +8,10 @@ namespace ductus {
 
 struct Seed
 {
-    enum Kind { Sketch, Mesh, Png };
+    enum Kind { Sketch, Mesh, Png, Quill };
     Kind kind;
-    std::string name; // with the extension of the format
-    std::string bytes;
+    std::string name;  // with the extension of the format
+    std::string bytes; // of a Quill project: Quill.json, a zero byte, Quill.qbin
 };
 
 std::vector<Seed> fuzzSeeds();

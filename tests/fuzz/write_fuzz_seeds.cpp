@@ -1,4 +1,5 @@
-// write_fuzz_seeds FOLDER: the seeds as a corpus for the libFuzzer programs (sub-folders sketch, mesh, png).
+// write_fuzz_seeds FOLDER: the seeds as a corpus for the libFuzzer programs (sub-folders sketch, mesh, png,
+// quill).
 #include "seeds.h"
 
 #include "formats/atomic_file.h"
@@ -12,11 +13,12 @@ int main(int argc, char **argv)
         return 2;
     }
     for (const ductus::Seed &seed : ductus::fuzzSeeds()) {
-        static const char *const folders[] = {"sketch", "mesh", "png"};
+        static const char *const folders[] = {"sketch", "mesh", "png", "quill"};
         const std::filesystem::path folder = std::filesystem::path(argv[1]) / folders[seed.kind];
         std::filesystem::create_directories(folder);
-        // fuzz_sketch and fuzz_mesh take the name from the first byte; PNG has only one.
-        const std::string bytes = (seed.kind == ductus::Seed::Png ? "" : "0") + seed.bytes;
+        // fuzz_sketch and fuzz_mesh take the name from the first byte; the others have only one.
+        const std::string bytes =
+            (seed.kind == ductus::Seed::Sketch || seed.kind == ductus::Seed::Mesh ? "0" : "") + seed.bytes;
         const auto written = ductus::writeFileAtomically(folder / seed.name, std::as_bytes(std::span(bytes)),
                                                          "Writing the seed");
         if (!written) {

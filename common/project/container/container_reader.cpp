@@ -1,7 +1,7 @@
 #include "project/container/container_reader.h"
 
+#include "formats/archive/zip_directory.h"
 #include "project/container/entry_name.h"
-#include "project/container/zip_directory.h"
 
 #include <zip.h>
 

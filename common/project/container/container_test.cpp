@@ -1,9 +1,9 @@
 #include "project/container/container_reader.h"
 
 #include "base/random.h"
+#include "formats/archive/zip_directory.h"
 #include "project/container/container_writer.h"
 #include "project/container/entry_name.h"
-#include "project/container/zip_directory.h"
 #include "project/testing/container_surgery.h"
 
 #include <zip.h>

@@ -1,4 +1,4 @@
-#include "project/container/zip_directory.h"
+#include "formats/archive/zip_directory.h"
 
 #include <algorithm>
 
