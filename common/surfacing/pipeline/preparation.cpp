@@ -43,6 +43,13 @@ void prepareSketch(SurfacingState &state, const StrokeSet &strokes)
     state.timings.proxy = watch.lap();
 }
 
+StrokeSet strokesInFrame(const StrokeSet &strokes, const PreparedSketch &sketch,
+                         const SurfaceOptions &options)
+{
+    StrokeSet result = evenStrokes(inUnitFrame(cleaned(strokes), sketch.frame), options.resamplingStep);
+    return sketch.plane ? keptHalf(result, *sketch.plane) : result;
+}
+
 Result<void> prepareProxy(SurfacingState &state, const std::optional<TriangleMesh> &givenProxy,
                           const JobControl &control)
 {
@@ -57,6 +64,8 @@ Result<void> prepareProxy(SurfacingState &state, const std::optional<TriangleMes
     if (sketch.plane)
         proxy->mesh = keptHalf(proxy->mesh, *sketch.plane);
     state.roughProxy = std::make_shared<const Proxy>(std::move(*proxy));
+    state.givenProxy = givenProxy ? std::make_shared<const TriangleMesh>(*givenProxy) : nullptr;
+    state.strokeUpdates = 0;
     state.timings.proxy += watch.lap();
     return {};
 }
@@ -87,14 +96,20 @@ Result<void> prepareAssociation(SurfacingState &state, const JobControl &control
         if (!association)
             return association.error();
     }
-    TriangleMesh whole = proxy->proxy.mesh;
-    if (sketch.plane)
-        whole = withMirrorImage(whole, *sketch.plane, verticesInPlane(whole, *sketch.plane)).mesh;
-    state.proxyInInput = std::make_shared<const TriangleMesh>(inInputFrame(whole, sketch.frame));
     state.proxy = std::move(proxy);
+    state.proxyInInput = proxyToShow(state);
     state.association = std::make_shared<const Association>(std::move(*association));
     state.timings.association = watch.lap();
     return {};
+}
+
+std::shared_ptr<const TriangleMesh> proxyToShow(const SurfacingState &state)
+{
+    const std::optional<SymmetryPlane> &plane = state.sketch->plane;
+    TriangleMesh whole = state.proxy->proxy.mesh;
+    if (plane)
+        whole = withMirrorImage(whole, *plane, verticesInPlane(whole, *plane)).mesh;
+    return std::make_shared<const TriangleMesh>(inInputFrame(whole, state.sketch->frame));
 }
 
 } // namespace ductus

@@ -22,8 +22,11 @@ struct SurfacingRequest
 };
 
 /// \a request surfaced, from the first stage that differs from what \a before was made with. \a sameInput:
-/// strokes and given proxy are those of \a before. \a onPreview (may be empty) gets the state with labels
-/// while the final mesh is still being made; it is called from the thread of the job.
+/// strokes and given proxy are those of \a before. If they are not, and \a before has labels made with the
+/// same sketch, proxy and association options, only what the changed strokes touch is solved again
+/// (stroke_update.h); where that cannot be, all is surfaced anew and a warning says why. Pass an empty \a
+/// before for a fresh run. \a onPreview (may be empty) gets the state with labels while the final mesh is
+/// still being made; it is called from the thread of the job.
 Result<SurfacingState> resurface(const SurfacingState &before, const SurfacingRequest &request,
                                  bool sameInput, const std::function<void(const SurfacingState &)> &onPreview,
                                  const JobControl &control);

@@ -58,7 +58,8 @@ struct SurfacingState
     SurfaceOptions options; // the parts below were made with
     SurfaceTimings timings; // of the parts below; total is their sum
     std::shared_ptr<const PreparedSketch> sketch;
-    std::shared_ptr<const Proxy> roughProxy; // unit frame, the solved half, not trimmed
+    std::shared_ptr<const TriangleMesh> givenProxy; // as given, input coordinates; null: made automatically
+    std::shared_ptr<const Proxy> roughProxy;        // unit frame, the solved half, not trimmed
     std::shared_ptr<const PreparedProxy> proxy;
     std::shared_ptr<const TriangleMesh> proxyInInput; // input coordinates, both halves: to be shown
     std::shared_ptr<const Association> association;
@@ -67,6 +68,7 @@ struct SurfacingState
     std::shared_ptr<const LabelPreview> preview;
     std::shared_ptr<const OptimizedMesh> optimized; // null before extractSurface
     std::shared_ptr<const SurfaceResult> surface;   // the finished thing; null before extractSurface
+    int strokeUpdates = 0; // edits of strokes (stroke_update.h) since all was surfaced in one
 
     bool isPrepared() const { return association != nullptr; }
     bool hasLabels() const { return labels != nullptr; }

@@ -17,7 +17,8 @@ struct LabelSolution
     ModelLabeling fit;               // labels and models with their costs, the start of the next scribble
     LabelConstraints constraints;    // of all scribbles so far
     std::vector<Scribble> scribbles; // applied, in order
-    std::shared_ptr<const LabelSolution> before; // without the last scribble; null for the automatic solution
+    std::shared_ptr<const LabelSolution> before; // without the last scribble, or, after strokes changed,
+                                                 // without all; null for the automatic solution
 };
 
 } // namespace ductus
