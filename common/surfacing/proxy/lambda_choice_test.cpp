@@ -66,7 +66,7 @@ void LambdaChoiceTest::strokesThatMissEachOtherNeedMore()
     LambdaChoiceOptions options;
     options.points = 240;
     const double clean = chosen(0.0, options, true), drawn = chosen(0.02, options, true);
-    QVERIFY2(drawn > 50.0 * clean, qPrintable(QString::number(drawn)));
+    QVERIFY2(drawn > 2.0 * clean, qPrintable(QString::number(drawn)));
     QVERIFY(drawn <= options.lambdas.back() * (1 + 1e-12));
 }
 
