@@ -1,5 +1,6 @@
 #include "sketchsurfacer/document/sketch_document.h"
 
+#include "document/project_picture.h"
 #include "sketchsurfacer/document/edit_content.h"
 #include "sketchsurfacer/document/project_conversion.h"
 
@@ -254,6 +255,8 @@ void SketchDocument::writeTo(Project &project) const
 {
     const std::shared_ptr<const SurfacingState> state = result();
     putSketch(mContent, state.get(), mDocumentId, displayName().toStdString(), project);
+    if (!mPicture.isNull())
+        setProjectThumbnail(project, mPicture);
 }
 
 void SketchDocument::clear()
@@ -263,6 +266,7 @@ void SketchDocument::clear()
     mContent.id = ++mLastId;
     mResults.clear();
     mShown = nullptr;
+    mPicture = QImage();
     mDocumentId = Uuid::create();
 }
 

@@ -6,6 +6,7 @@
 #include "document/document.h"
 #include "sketchsurfacer/document/sketch_content.h"
 
+#include <QImage>
 #include <deque>
 #include <map>
 
@@ -50,6 +51,9 @@ public:
     void setGivenProxy(std::shared_ptr<const TriangleMesh> proxy);
     void setUnit(double metresPerUnit, UpAxis up);
 
+    /// What goes into the next snapshot as the project's picture; no edit. Null: the one it has stays.
+    void setPicture(const QImage &picture) { mPicture = picture; }
+
     // Results.
     /// Of exactly this content, or null.
     std::shared_ptr<const SurfacingState> result() const;
@@ -87,6 +91,7 @@ private:
     std::shared_ptr<const SurfacingState> mShown;
     std::uint64_t mLastId = 0;
     Uuid mDocumentId = Uuid::create();
+    QImage mPicture;
 };
 
 } // namespace ductus

@@ -7,8 +7,15 @@
 #include <QDir>
 #include <QFile>
 #include <QPointer>
+#include <atomic>
 
 namespace ductus {
+
+struct CopyOwner
+{
+    std::optional<ProjectLock> lock; // says that we are alive; used by one worker at a time
+    std::atomic<bool> isUnwanted = false;
+};
 
 namespace {
 
@@ -60,6 +67,8 @@ Autosave::Autosave(Document &document, JobRunner &runner, const QString &folder,
     connect(&document, &Document::changed, this, [this](const ChangeEvent &event) {
         if (event.as<DocumentReset>())
             discard();
+        else if (mDocument.isModified()) // again: the result of a job is no command
+            onModified(true);
     });
     connect(document.undoStack(), &QUndoStack::indexChanged, this,
             [this] { onModified(mDocument.isModified()); });
@@ -72,7 +81,7 @@ void Autosave::newCopy()
 {
     mCopy = QDir(mFolder).absoluteFilePath(QString::fromStdString(Uuid::create().text()) +
                                            QStringLiteral(".ductus"));
-    mLock = std::make_shared<std::optional<ProjectLock>>();
+    mOwner = std::make_shared<CopyOwner>();
     mSavedRevision.reset();
 }
 
@@ -125,6 +134,7 @@ void Autosave::write()
     mTimer.stop();
     mPostponedMs = 0;
     mIsWriting = true;
+    emit aboutToWrite();
     auto request = std::make_shared<CopyRequest>();
     request->project = mDocument.snapshot();
     // A newer version's file may be read only; the copy is no more than our own notes on it.
@@ -139,13 +149,20 @@ void Autosave::write()
     spec.canCancel = false;
     spec.isQueued = true;
     mRunner.start<SaveReport>(
-        spec, [request, lock = mLock](const JobControl &) { return writeCopy(*request, *lock); },
+        spec,
+        [request, owner = mOwner](const JobControl &) {
+            Result<SaveReport> report = writeCopy(*request, owner->lock);
+            // Discarded meanwhile, perhaps with the window: nobody else will look after it.
+            if (owner->isUnwanted)
+                removeCopy(request->copy);
+            return report;
+        },
         [self = QPointer(this), request, revision](Result<SaveReport> report) {
             if (!self)
                 return;
             self->mIsWriting = false;
             if (request->copy != self->mCopy) { // discarded meanwhile
-                removeCopy(request->copy);
+                self->onModified(self->mDocument.isModified());
                 return;
             }
             if (!report) {
@@ -163,9 +180,10 @@ void Autosave::discard()
 {
     mTimer.stop();
     mPostponedMs = 0;
+    mOwner->isUnwanted = true; // first: a write that ends now sees it, or its file is there below
     if (mSavedRevision || QFile::exists(mCopy))
         removeCopy(mCopy);
-    newCopy(); // a write under way goes to the old name and is removed at its end
+    newCopy();
 }
 
 } // namespace ductus

@@ -22,6 +22,8 @@ struct AutosaveTimes
     int afterFailureMs = 15'000;
 };
 
+struct CopyOwner; // what the worker that writes a copy shares with the Autosave it is of
+
 class Autosave : public QObject
 {
     Q_OBJECT
@@ -47,6 +49,8 @@ public:
     std::optional<quint64> savedRevision() const { return mSavedRevision; }
 
 signals:
+    /// Right before the document's snapshot is taken: the moment to renew what goes along, such as a picture.
+    void aboutToWrite();
     void saved();
     void failed(const ductus::Error &error);
 
@@ -67,7 +71,7 @@ private:
     int mPostponedMs = 0;
     bool mIsWriting = false;
     std::optional<quint64> mSavedRevision;
-    std::shared_ptr<std::optional<ProjectLock>> mLock; // says that we are alive
+    std::shared_ptr<CopyOwner> mOwner; // of mCopy
 };
 
 } // namespace ductus

@@ -34,7 +34,7 @@ void SurfacerWindow::addActions()
              {QKeySequence("Alt+Home")},
              file},
             [this] {
-                refreshRecent();
+                refreshRecent(); // a file may be gone meanwhile
                 isStartPageShown() && !mSketch.isEmpty() ? showCanvas() : showStartPage();
             });
     all.add({"file.save",

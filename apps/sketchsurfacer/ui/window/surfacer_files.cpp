@@ -1,5 +1,6 @@
 // Opening, saving, importing and exporting in SketchSurfacer's window.
 #include "document/document_files.h"
+#include "document/project_picture.h"
 #include "sketchsurfacer/ui/window/sample_pictures.h"
 #include "sketchsurfacer/ui/window/surfacer_window.h"
 #include "widgets/pages/start_page.h"
@@ -17,9 +18,6 @@
 namespace ductus {
 
 namespace {
-
-inline const Setting<QStringList> recentFilesSetting{"files/recent", {}};
-constexpr int mostRecent = 12;
 
 bool isProxyFile(const QString &path)
 {
@@ -55,37 +53,45 @@ void SurfacerWindow::fillStartPage()
     connect(page, &StartPage::openRequested, this, &SurfacerWindow::chooseAndOpen);
     connect(page, &StartPage::openFile, this, &SurfacerWindow::openPath);
     connect(page, &StartPage::openSample, this, &SurfacerWindow::openSample);
-    connect(page, &StartPage::forgetFile, this, [this](const QString &path) {
-        QStringList recent = settings().value(recentFilesSetting);
-        recent.removeAll(path);
-        settings().set(recentFilesSetting, recent);
-        refreshRecent();
-    });
+    connect(page, &StartPage::forgetFile, &mRecent, &RecentFiles::remove);
+    connect(&mRecent, &RecentFiles::changed, this, &SurfacerWindow::refreshRecent);
     refreshRecent();
 }
 
 void SurfacerWindow::refreshRecent()
 {
     QList<RecentCard> cards;
-    for (const QString &path : settings().value(recentFilesSetting))
-        cards << RecentCard{path, {}, !QFileInfo::exists(path)};
+    for (const RecentFile &file : mRecent.files())
+        cards << RecentCard{file.path, QPixmap::fromImage(file.picture), file.isMissing};
     startPage()->setRecent(cards);
 }
 
-void SurfacerWindow::remember(const QString &path)
+void SurfacerWindow::refreshRecentPicture()
 {
-    const QString absolute = QFileInfo(path).absoluteFilePath();
-    QStringList recent = settings().value(recentFilesSetting);
-    recent.removeAll(absolute);
-    recent.prepend(absolute);
-    settings().set(recentFilesSetting, QStringList(recent.mid(0, mostRecent)));
-    refreshRecent();
+    if (!mRecentPath.isEmpty())
+        mRecent.add(mRecentPath, picture());
+}
+
+QImage SurfacerWindow::picture()
+{
+    // Never shown: OpenGL has not begun.
+    return mView->frameCount() > 0 && !mSketch.isEmpty() ? mView->grabFramebuffer() : QImage();
+}
+
+void SurfacerWindow::showOpened()
+{
+    showCanvas();
+    mView->setFocus();
+    if (mSketch.shownResult())
+        mFollowsResult = true; // shown as soon as it is drawable
+    mPictureTimer.start();
 }
 
 void SurfacerWindow::newSketch()
 {
     if (!confirmLeaving())
         return;
+    mRecentPath.clear();
     mSketch.start({}, defaultSurfaceOptions(), tr("Untitled"));
     showCanvas();
     mTools->setTool(ToolKind::DrawStroke);
@@ -94,7 +100,7 @@ void SurfacerWindow::newSketch()
 void SurfacerWindow::chooseAndOpen()
 {
     const QString path = QFileDialog::getOpenFileName(
-        this, tr("Open"), QFileInfo(settings().value(recentFilesSetting).value(0)).path(),
+        this, tr("Open"), QFileInfo(mRecent.paths().value(0)).path(),
         tr("Sketches and projects (*.ductus *.curves *.obj *.txt *.xyz *.crv);;Proxy meshes (*.ply *.stl "
            "*.off *.glb "
            "*.obj);;All files (*)"));
@@ -155,8 +161,9 @@ void SurfacerWindow::openSketch(const QString &title,
                                          showError(sketch.error());
                                          return;
                                      }
-                                     if (!rememberedPath.isEmpty())
-                                         remember(rememberedPath);
+                                     mRecentPath = rememberedPath;
+                                     if (!mRecentPath.isEmpty())
+                                         mRecent.add(mRecentPath);
                                      adoptSketch(std::move(*sketch));
                                  });
 }
@@ -165,8 +172,7 @@ void SurfacerWindow::adoptSketch(ImportedSketch sketch)
 {
     messages()->closeAll();
     mSketch.start(std::move(sketch.strokes), sketch.options, sketch.name);
-    showCanvas();
-    mView->setFocus();
+    showOpened();
     if (!sketch.warnings.isEmpty())
         messages()->warning(tr("Some of the sketch was skipped: %1").arg(sketch.warnings.first()),
                             sketch.warnings.size() > 1
@@ -208,10 +214,9 @@ void SurfacerWindow::openProject(const QString &path)
             return;
         }
         messages()->closeAll();
-        remember(path);
-        showCanvas();
-        if (mSketch.shownResult())
-            mFollowsResult = true; // shown as soon as it is drawable
+        mRecentPath = path;
+        mRecent.add(path, projectThumbnail(mSketch.project()));
+        showOpened();
         for (const QString &warning : notes->warnings)
             messages()->warning(warning);
     });
@@ -219,54 +224,58 @@ void SurfacerWindow::openProject(const QString &path)
 
 void SurfacerWindow::save()
 {
-    if (mSketch.filePath().isEmpty() || mSketch.isReadOnly()) {
+    if (mSketch.filePath().isEmpty() || mSketch.isReadOnly())
         saveAs();
-        return;
-    }
-    saveDocument(mSketch, jobs(), {}, [this](Result<SaveReport> report) {
-        if (!report)
-            showError(report.error(), tr("Save as..."), [this] { saveAs(); });
-    });
+    else
+        saveTo(mSketch.filePath());
 }
 
 void SurfacerWindow::saveAs()
 {
-    QString path =
-        QFileDialog::getSaveFileName(this, tr("Save as"), mSketch.displayName() + QStringLiteral(".ductus"),
-                                     tr("Ductus projects (*.ductus)"));
-    if (path.isEmpty())
-        return;
-    if (!path.endsWith(QLatin1String(".ductus"), Qt::CaseInsensitive))
-        path += QStringLiteral(".ductus");
-    saveDocument(mSketch, jobs(), path, [this, path](Result<SaveReport> report) {
-        if (report)
-            remember(path);
-        else
-            showError(report.error(), tr("Save as..."), [this] { saveAs(); });
-    });
+    if (const QString path = askForPath(); !path.isEmpty())
+        saveTo(path);
 }
 
 bool SurfacerWindow::saveForClosing()
 {
-    if (!mSketch.filePath().isEmpty() && !mSketch.isReadOnly())
-        return MainWindowShell::saveForClosing();
-    QString path =
-        QFileDialog::getSaveFileName(this, tr("Save as"), mSketch.displayName() + QStringLiteral(".ductus"),
-                                     tr("Ductus projects (*.ductus)"));
+    const bool hasPlace = !mSketch.filePath().isEmpty() && !mSketch.isReadOnly();
+    const QString path = hasPlace ? mSketch.filePath() : askForPath();
     if (path.isEmpty())
         return false;
-    if (!path.endsWith(QLatin1String(".ductus"), Qt::CaseInsensitive))
-        path += QStringLiteral(".ductus");
     bool isSaved = false;
     QEventLoop loop;
-    saveDocument(mSketch, jobs(), path, [&](Result<SaveReport> report) {
-        isSaved = report.ok();
-        if (!report)
-            showError(report.error());
+    saveTo(path, [&](bool saved) {
+        isSaved = saved;
         loop.quit();
     });
     loop.exec(QEventLoop::ExcludeUserInputEvents);
     return isSaved;
+}
+
+QString SurfacerWindow::askForPath()
+{
+    QString path =
+        QFileDialog::getSaveFileName(this, tr("Save as"), mSketch.displayName() + QStringLiteral(".ductus"),
+                                     tr("Ductus projects (*.ductus)"));
+    if (!path.isEmpty() && !path.endsWith(QLatin1String(".ductus"), Qt::CaseInsensitive))
+        path += QStringLiteral(".ductus");
+    return path;
+}
+
+void SurfacerWindow::saveTo(const QString &path, std::function<void(bool)> finish)
+{
+    const QImage shown = picture();
+    mSketch.setPicture(shown);
+    saveDocument(mSketch, jobs(), path, [this, path, shown, finish](Result<SaveReport> report) {
+        if (report) {
+            mRecentPath = path;
+            mRecent.add(path, shown);
+        } else {
+            showError(report.error(), tr("Save as..."), [this] { saveAs(); });
+        }
+        if (finish)
+            finish(report.ok());
+    });
 }
 
 void SurfacerWindow::exportSurface()

@@ -1,5 +1,6 @@
 #include "sketchsurfacer/ui/window/surfacer_window.h"
 
+#include "document/recovery/state_folder.h"
 #include "sketchsurfacer/ui/viewport/length_text.h"
 #include "sketchsurfacer/ui/window/measures_panel.h"
 #include "sketchsurfacer/ui/window/parameter_panel.h"
@@ -14,14 +15,25 @@
 #include <QActionGroup>
 #include <QGuiApplication>
 #include <QMouseEvent>
+#include <QStandardPaths>
 #include <algorithm>
 
 namespace ductus {
 
+namespace {
+
+constexpr int pictureDelayMs = 700; // a result has been drawn by then, and the view stands
+
+} // namespace
+
 SurfacerWindow::SurfacerWindow(const ShellServices &services, QWidget *parent)
     : MainWindowShell({tr("SketchSurfacer"), AppKind::SketchSurfacer, QStringLiteral("app-sketchsurfacer")},
                       services, parent),
-      mSurfacing(mSketch, *services.jobs), mSamples(bundledSamples())
+      mSurfacing(mSketch, *services.jobs),
+      mUnsaved(*this, mSketch, stateFolder(QStringLiteral("sketchsurfacer"), QStringLiteral("autosave"))),
+      mRecent(*services.settings,
+              QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + QStringLiteral("/recent")),
+      mSamples(bundledSamples())
 {
     mView = new SketchView;
     mView->setProperty("helpTopic", "canvas");
@@ -48,6 +60,7 @@ SurfacerWindow::SurfacerWindow(const ShellServices &services, QWidget *parent)
     mPresenter->setDark(coloursOf(QGuiApplication::palette()).isDark);
     setHint(mTools->hint());
     refreshSwitch();
+    mUnsaved.look();
 }
 
 SurfacerWindow::~SurfacerWindow()
@@ -109,6 +122,14 @@ void SurfacerWindow::connectParts()
     });
     connect(this, &MainWindowShell::themeChanged, this,
             [this] { mPresenter->setDark(coloursOf(QGuiApplication::palette()).isDark); });
+    connect(&mUnsaved, &UnsavedWork::opened, this, [this] {
+        mRecentPath.clear();
+        showOpened();
+    });
+    connect(&mUnsaved.autosave(), &Autosave::aboutToWrite, this, [this] { mSketch.setPicture(picture()); });
+    mPictureTimer.setSingleShot(true);
+    mPictureTimer.setInterval(pictureDelayMs);
+    connect(&mPictureTimer, &QTimer::timeout, this, &SurfacerWindow::refreshRecentPicture);
     mView->installEventFilter(this);
 }
 
@@ -170,6 +191,7 @@ void SurfacerWindow::onResultShown()
             showMode(ViewMode::Sketch);
         return;
     }
+    mPictureTimer.start();
     if (!mFollowsResult)
         return;
     showMode(view->isPreview ? ViewMode::Regions : ViewMode::Surface);

@@ -1,11 +1,15 @@
 // SurfacerWindow: SketchSurfacer's window: the shared shell filled with canvas, tools, inspector and actions.
 #pragma once
 
+#include "document/settings/recent_files.h"
 #include "sketchsurfacer/document/sketch_import.h"
 #include "sketchsurfacer/document/surfacing_jobs.h"
 #include "sketchsurfacer/ui/window/export_dialog.h"
 #include "sketchsurfacer/ui/window/tool_box.h"
 #include "widgets/main_window_shell.h"
+#include "widgets/pages/unsaved_work.h"
+
+#include <QTimer>
 
 class QActionGroup;
 
@@ -28,6 +32,8 @@ public:
     ToolBox &tools() { return *mTools; }
     SketchPresenter &presenter() { return *mPresenter; }
     SegmentedSwitch &viewSwitch() { return *mSwitch; }
+    UnsavedWork &unsavedWork() { return mUnsaved; }
+    const RecentFiles &recentFiles() const { return mRecent; }
 
     /// A project, a sketch, or a mesh to be the proxy of the sketch that is open.
     void openPath(const QString &path);
@@ -60,8 +66,12 @@ private:
                     const QString &rememberedPath = {});
     void openProxy(const QString &path);
     void adoptSketch(ImportedSketch sketch);
-    void remember(const QString &path);
+    void showOpened();
+    void saveTo(const QString &path, std::function<void(bool)> finish = {});
+    QString askForPath();
+    QImage picture();
     void refreshRecent();
+    void refreshRecentPicture();
 
     void onDocumentChanged(const ChangeEvent &event);
     void onResultShown();
@@ -74,6 +84,10 @@ private:
 
     SketchDocument mSketch;
     SurfacingJobs mSurfacing;
+    UnsavedWork mUnsaved;
+    RecentFiles mRecent;
+    QString mRecentPath; // of what is open; empty for samples and pasted sketches
+    QTimer mPictureTimer;
     SketchView *mView = nullptr;
     SketchPresenter *mPresenter = nullptr;
     ToolBox *mTools = nullptr;

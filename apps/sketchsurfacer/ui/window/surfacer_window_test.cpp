@@ -72,6 +72,7 @@ struct App
 
     App()
     {
+        qputenv("XDG_STATE_HOME", dir.filePath("state").toUtf8()); // nothing of the user's own is offered
         settings.setRaw(QStringLiteral("appearance/theme"), QStringLiteral("dark"));
         window = std::make_unique<SurfacerWindow>(ShellServices{&settings, &jobs, &actions});
         window->resize(1280, 800);
