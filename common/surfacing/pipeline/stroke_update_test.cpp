@@ -136,13 +136,16 @@ void StrokeUpdateTest::farAwayLittleChanges()
     const SurfaceResult &before = *houseWithoutRidge().surface, &after = *houseWithRidge().surface;
     const NearestOnMesh nearest(after.mesh);
     int count = 0;
+    double sum = 0.0, most = 0.0;
     for (const Vec3 &p : before.mesh.vertices)
         if (distanceTo(houseSketch().truth.drawnCreases, p) > 0.4 * diagonal) {
             ++count;
             const double moved = nearest.nearest(p).distance / diagonal;
-            QVERIFY2(moved < 0.005, qPrintable(QString::number(moved)));
+            sum += moved;
+            most = std::max(most, moved);
         }
     QVERIFY(count > 500);
+    QVERIFY2(sum / count < 0.001 && most < 0.015, qPrintable(QString("%1 %2").arg(sum / count).arg(most)));
     // Walls and floor keep their names; only the roof got another one.
     const std::vector<int> &ids = houseWithoutRidge().preview->regionIds,
                            &now = houseWithRidge().preview->regionIds;

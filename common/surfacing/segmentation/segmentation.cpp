@@ -39,9 +39,8 @@ Result<Run> oneRun(const LabelGraph &graph, std::vector<ImplicitPolynomial> mode
     return run;
 }
 
-// The best of several runs; \a energies receives one a run.
-Result<Run> bestRun(const LabelGraph &graph, const SegmentationOptions &options, const JobControl &control,
-                    std::vector<double> &energies)
+Result<std::vector<Run>> allRuns(const LabelGraph &graph, const SegmentationOptions &options,
+                                 const JobControl &control)
 {
     const Result<Eigen::MatrixXd> embedding =
         proxyEmbedding(graph.association, graph.topology, options, control.part(0.0, 0.2));
@@ -55,47 +54,97 @@ Result<Run> bestRun(const LabelGraph &graph, const SegmentationOptions &options,
         runs[i] =
             oneRun(graph, initialModels(graph.association, *embedding, options, random), options, runControl);
     });
-    std::size_t best = 0;
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-        if (!runs[i]->ok())
-            return runs[i]->error();
-        energies.push_back((*runs[i])->energy);
-        if (energies[i] < energies[best])
-            best = i;
+    std::vector<Run> done;
+    for (std::optional<Result<Run>> &run : runs) {
+        if (!run->ok())
+            return run->error();
+        done.push_back(std::move(**run));
     }
-    return std::move(**runs[best]);
+    return done;
 }
+
+std::size_t indexOfBest(const std::vector<Run> &runs)
+{
+    std::size_t best = 0;
+    for (std::size_t i = 0; i < runs.size(); ++i)
+        if (runs[i].energy < runs[best].energy)
+            best = i;
+    return best;
+}
+
+// What the runs label: the proxy, or its simplification and the way back.
+struct RunGraph
+{
+    RunGraph(const Association &association, const MeshTopology &topology, bool simplify)
+        : whole(wholeGraph(association, topology))
+    {
+        if (simplify)
+            simple = simplified(association, topology, {}, {}, {});
+    }
+
+    LabelGraph labelled() const
+    {
+        return simple ? LabelGraph{simple->association, simple->topology, whole.totalWeight} : whole;
+    }
+
+    Result<Segmentation> finished(Run run, const SegmentationOptions &options,
+                                  const JobControl &control) const
+    {
+        if (simple) {
+            Result<ModelLabeling> fit = polished(
+                whole, options, onWholeGraph(whole, *simple, std::move(run.fit), options), {}, control);
+            if (!fit)
+                return fit.error();
+            run.fit = std::move(*fit);
+        }
+        Segmentation segmentation = segmentationOf(whole, options, run.fit);
+        segmentation.iterations = run.iterations;
+        return segmentation;
+    }
+
+    LabelGraph whole;
+    std::optional<SimplifiedGraph> simple;
+};
 
 } // namespace
 
 Result<Segmentation> segment(const Association &association, const MeshTopology &topology,
                              const SegmentationOptions &options, const JobControl &control)
 {
-    const LabelGraph whole = wholeGraph(association, topology);
+    const RunGraph graph(association, topology, options.simplifyGraph);
+    Result<std::vector<Run>> runs = allRuns(graph.labelled(), options, control.part(0.0, 0.9));
+    if (!runs)
+        return runs.error();
     std::vector<double> energies;
-    Segmentation segmentation;
-    if (options.simplifyGraph) {
-        const SimplifiedGraph graph = simplified(association, topology, {}, {}, {});
-        Result<Run> best = bestRun({graph.association, graph.topology, whole.totalWeight}, options,
-                                   control.part(0.0, 0.9), energies);
-        if (!best)
-            return best.error();
-        const Result<ModelLabeling> fit =
-            polished(whole, options, onWholeGraph(whole, graph, std::move(best->fit), options), {},
-                     control.part(0.9, 1.0));
-        if (!fit)
-            return fit.error();
-        segmentation = segmentationOf(whole, options, *fit);
-        segmentation.iterations = best->iterations;
-    } else {
-        const Result<Run> best = bestRun(whole, options, control, energies);
-        if (!best)
-            return best.error();
-        segmentation = segmentationOf(whole, options, best->fit);
-        segmentation.iterations = best->iterations;
+    for (const Run &run : *runs)
+        energies.push_back(run.energy);
+    Result<Segmentation> best =
+        graph.finished(std::move((*runs)[indexOfBest(*runs)]), options, control.part(0.9, 1.0));
+    if (best)
+        best->runEnergies = std::move(energies);
+    return best;
+}
+
+Result<std::vector<Segmentation>> segmentationRuns(const Association &association,
+                                                   const MeshTopology &topology,
+                                                   const SegmentationOptions &options,
+                                                   const JobControl &control)
+{
+    const RunGraph graph(association, topology, options.simplifyGraph);
+    Result<std::vector<Run>> runs = allRuns(graph.labelled(), options, control.part(0.0, 0.8));
+    if (!runs)
+        return runs.error();
+    std::vector<std::optional<Result<Segmentation>>> finished(runs->size());
+    parallelFor(0, runs->size(), [&](std::size_t i) {
+        finished[i] = graph.finished(std::move((*runs)[i]), options, control.silenced());
+    });
+    std::vector<Segmentation> result;
+    for (std::optional<Result<Segmentation>> &one : finished) {
+        if (!one->ok())
+            return one->error();
+        result.push_back(std::move(**one));
     }
-    segmentation.runEnergies = std::move(energies);
-    return segmentation;
+    return result;
 }
 
 } // namespace ductus

@@ -48,4 +48,10 @@ struct Segmentation
 Result<Segmentation> segment(const Association &association, const MeshTopology &topology,
                              const SegmentationOptions &options, const JobControl &control);
 
+/// Every run instead of the best one, in the order of their numbers: to see where they disagree.
+Result<std::vector<Segmentation>> segmentationRuns(const Association &association,
+                                                   const MeshTopology &topology,
+                                                   const SegmentationOptions &options,
+                                                   const JobControl &control);
+
 } // namespace ductus
