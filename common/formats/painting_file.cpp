@@ -44,6 +44,42 @@ Result<PaintingFile> readQuillFolder(const fs::path &folder, const PaintingReadO
     return readQuill(**json, qbin ? qbin->get() : nullptr, options, control);
 }
 
+/// The bytes before the zip in a .tilt file: "tilT", u16 size of this header, u16 version, 8 more.
+Result<std::uint64_t> tiltPrefix(ByteSource &file)
+{
+    std::array<std::uint16_t, 4> header{};
+    if (const auto done = file.read(0, std::as_writable_bytes(std::span(header))); !done)
+        return done.error();
+    if (header[2] < 16 || header[2] > file.size() || header[3] != 1)
+        return Error{ErrorCode::Unsupported, attempted, "its header is of a kind that is not known",
+                     "Save the sketch with a current Open Brush", file.name()};
+    return std::uint64_t(header[2]);
+}
+
+Result<PaintingFile> readTiltArchive(const ZipArchive &archive, const PaintingReadOptions &options,
+                                     const JobControl &control)
+{
+    Result<std::unique_ptr<ByteSource>> sketch = archive.entry("data.sketch");
+    if (!sketch)
+        return sketch.error();
+    Result<std::unique_ptr<ByteSource>> metadata = archive.entry("metadata.json");
+    if (!metadata && metadata.error().code != ErrorCode::FileNotFound)
+        return metadata.error();
+    return readTilt(**sketch, metadata ? metadata->get() : nullptr, options, control);
+}
+
+Result<PaintingFile> readTiltFolder(const fs::path &folder, const PaintingReadOptions &options,
+                                    const JobControl &control)
+{
+    Result<std::unique_ptr<ByteSource>> sketch = openFileSource(folder / "data.sketch", "data.sketch");
+    if (!sketch)
+        return sketch.error();
+    Result<std::unique_ptr<ByteSource>> metadata = openFileSource(folder / "metadata.json", "metadata.json");
+    if (!metadata && metadata.error().code != ErrorCode::FileNotFound)
+        return metadata.error();
+    return readTilt(**sketch, metadata ? metadata->get() : nullptr, options, control);
+}
+
 Result<PaintingFile> readAnyPainting(const fs::path &path, const PaintingReadOptions &options,
                                      const JobControl &control)
 {
@@ -52,6 +88,8 @@ Result<PaintingFile> readAnyPainting(const fs::path &path, const PaintingReadOpt
     if (fs::is_directory(path, code)) {
         if (fs::exists(path / "Quill.json", code))
             return readQuillFolder(path, options, control);
+        if (fs::exists(path / "data.sketch", code))
+            return readTiltFolder(path, options, control);
         return notAPainting(path.string());
     }
     Result<std::unique_ptr<ByteSource>> file = openFileSource(path, name);
@@ -68,6 +106,15 @@ Result<PaintingFile> readAnyPainting(const fs::path &path, const PaintingReadOpt
         if (!archive)
             return archive.error();
         return readQuillArchive(*archive, options, control);
+    }
+    if (head == "tilT") {
+        const Result<std::uint64_t> prefix = tiltPrefix(**file);
+        if (!prefix)
+            return prefix.error();
+        const Result<ZipArchive> archive = ZipArchive::open(path, *prefix, name);
+        if (!archive)
+            return archive.error();
+        return readTiltArchive(*archive, options, control);
     }
     if (path.extension() == ".json" || head.find('{') != std::string_view::npos) {
         // The project's files stand beside one another under their fixed names.
@@ -135,6 +182,15 @@ Result<PaintingFile> parsePainting(std::string_view bytes, const std::string &na
                                    const PaintingReadOptions &options, const JobControl &control)
 {
     return guarded(name, [&]() -> Result<PaintingFile> {
+        if (bytes.starts_with("tilT")) {
+            const Result<std::uint64_t> prefix = tiltPrefix(*memorySource(bytes, name));
+            if (!prefix)
+                return prefix.error();
+            const Result<ZipArchive> archive = ZipArchive::openMemory(bytes.substr(*prefix), name);
+            if (!archive)
+                return archive.error();
+            return readTiltArchive(*archive, options, control);
+        }
         if (!bytes.starts_with("PK"))
             return notAPainting(name);
         const Result<ZipArchive> archive = ZipArchive::openMemory(bytes, name);

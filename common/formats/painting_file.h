@@ -27,11 +27,12 @@ enum class PaintingFileSection { Ribbon, Round, Ellipse, Cube };
 struct PaintingFilePoint
 {
     Eigen::Vector3f position = Eigen::Vector3f::Zero();
-    Eigen::Vector3f normal = Eigen::Vector3f::UnitY();         // orients the cross section
-    Eigen::Vector3f viewDirection = -Eigen::Vector3f::UnitZ(); // from the painter's eye when it was drawn
-    Eigen::Vector3f colour = Eigen::Vector3f::Zero();          // linear RGB, 0..1
-    float opacity = 1;                                         // 0..1
-    float halfWidth = 0;                                       // >= 0
+    Eigen::Vector3f normal = Eigen::Vector3f::UnitY(); // orients the cross section
+    Eigen::Vector3f viewDirection =
+        -Eigen::Vector3f::UnitZ(); // from the painter's eye when it was drawn; zero: unknown
+    Eigen::Vector3f colour = Eigen::Vector3f::Zero(); // linear RGB, 0..1
+    float opacity = 1;                                // 0..1
+    float halfWidth = 0;                              // >= 0
 };
 
 struct PaintingFileStroke
@@ -39,6 +40,7 @@ struct PaintingFileStroke
     PaintingFileSection section = PaintingFileSection::Round;
     bool fadesSeenFromAside = false; // Quill's rotational opacity
     std::uint32_t id = 0;            // as in the file; not always unique
+    std::uint32_t group = 0;         // strokes the painter grouped, of .tilt; 0: none
     std::string brush;               // the program's own name of the brush, if it has one
     std::vector<PaintingFilePoint> points;
     std::vector<float> pressure;     // 0..1, one a point, or empty

@@ -8,6 +8,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 #include <fstream>
+#include <set>
 
 using namespace ductus;
 namespace fs = std::filesystem;
@@ -15,6 +16,7 @@ namespace fs = std::filesystem;
 namespace {
 
 const fs::path data = fs::path(DUCTUS_SHARED_DATA) / "quill";
+const fs::path tilts = fs::path(DUCTUS_SHARED_DATA) / "tilt";
 
 void writeText(const fs::path &path, const std::string &bytes)
 {
@@ -61,6 +63,9 @@ private slots:
     void readsRealProjects_data();
     void readsRealProjects();
     void readsTheTreeOfARealScene();
+    void readsRealTilts_data();
+    void readsRealTilts();
+    void cutTiltsAreErrors();
 };
 
 void PaintingFileTest::readsFolderFileAndArchive()
@@ -230,6 +235,61 @@ void PaintingFileTest::readsTheTreeOfARealScene()
     QCOMPARE(animated.frames, (std::vector<int>{0, 2, 3, 4, 5, 6, 7, 8, 9, 9, 9, 1, 1}));
     QCOMPARE(file->pathOf(int(file->layers.size()) - 1), std::string("Root/Untitled_swords_01/Paint"));
     QCOMPARE(file->report.skipped.size(), std::size_t(2));
+}
+
+void PaintingFileTest::readsRealTilts_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<int>("strokes");
+    QTest::addColumn<int>("points");
+    QTest::addColumn<int>("brushes");
+    QTest::newRow("one stroke") << "OneStroke.tilt" << 1 << 4 << 1;
+    QTest::newRow("simple") << "Simple.tilt" << 3 << 32 << 1;
+    QTest::newRow("ink") << "Ink.tilt" << 67 << 1231 << 1;
+    QTest::newRow("sketch1") << "sketch1.tilt" << 5 << 912 << 1; // it names two
+}
+
+void PaintingFileTest::readsRealTilts()
+{
+    QFETCH(QString, name);
+    QFETCH(int, strokes);
+    QFETCH(int, points);
+    QFETCH(int, brushes);
+    const fs::path path = tilts / name.toStdString();
+    if (!fs::exists(path))
+        QSKIP("the folder with real .tilt files is not there");
+    const auto file = readPainting(path, {}, {});
+    QVERIFY2(file.ok(), qPrintable(messageOf(file)));
+    QCOMPARE(file->kind, PaintingFileKind::Tilt);
+    QCOMPARE(file->report.strokes, strokes);
+    QCOMPARE(file->report.points, std::int64_t(points));
+    QCOMPARE(file->report.notes.size(), std::size_t(1)); // the brushes; no byte left over, nothing clamped
+    QCOMPARE(file->layers.size(), std::size_t(2));
+    std::set<std::string> used;
+    for (const PaintingFileStroke &stroke : file->layers[1].drawings[0]->strokes) {
+        used.insert(stroke.brush);
+        QCOMPARE(stroke.pressure.size(), stroke.points.size());
+        QCOMPARE(stroke.timeSeconds.size(), stroke.points.size());
+        QVERIFY(std::is_sorted(stroke.timeSeconds.begin(), stroke.timeSeconds.end()));
+        for (const PaintingFilePoint &point : stroke.points) {
+            QVERIFY(std::abs(point.normal.norm() - 1) < 1e-3f);
+            QVERIFY(point.position.norm() < 1000); // decimetres in a room
+            QVERIFY(point.halfWidth >= 0 && point.halfWidth < 10);
+        }
+    }
+    QCOMPARE(int(used.size()), brushes);
+}
+
+void PaintingFileTest::cutTiltsAreErrors()
+{
+    const fs::path path = tilts / "OneStroke.tilt";
+    if (!fs::exists(path))
+        QSKIP("the folder with real .tilt files is not there");
+    std::ifstream stream(path, std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+    QVERIFY(parsePainting(bytes, "one.tilt", {}, {}).ok());
+    for (std::size_t size = 0; size + 1 < bytes.size(); size += 101)
+        QVERIFY(!parsePainting(std::string_view(bytes).substr(0, size), "cut.tilt", {}, {}).ok());
 }
 
 QTEST_APPLESS_MAIN(PaintingFileTest)

@@ -140,4 +140,18 @@ inline bool checkQuillReader(std::string_view bytes)
     return true;
 }
 
+/// \a bytes as the data.sketch of a .tilt with two brushes.
+inline bool checkTiltReader(std::string_view bytes)
+{
+    const auto sketch = memorySource(bytes, "data.sketch");
+    const auto metadata = memorySource("{\"BrushIndex\":[\"a\",\"b\"]}", "metadata.json");
+    const auto file = readTilt(*sketch, metadata.get(), {}, {});
+    if (!file) {
+        checkError(file.error());
+        return false;
+    }
+    checkPainting(*file, bytes.size());
+    return true;
+}
+
 } // namespace ductus

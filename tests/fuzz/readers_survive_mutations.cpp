@@ -79,6 +79,8 @@ void ReadersSurviveMutations::seedsAreValid()
             QVERIFY2(parseMesh(seed.bytes, seed.name, {}).ok(), seed.name.c_str());
         else if (seed.kind == Seed::Quill)
             QVERIFY2(checkQuillReader(seed.bytes), seed.name.c_str());
+        else if (seed.kind == Seed::Tilt)
+            QVERIFY2(checkTiltReader(seed.bytes), seed.name.c_str());
         else
             QVERIFY2(decodePng(std::as_bytes(std::span(seed.bytes))).ok(), seed.name.c_str());
     }
@@ -107,6 +109,8 @@ void ReadersSurviveMutations::survive()
             accepted += checkMeshReader(bytes, seed.name);
         else if (seed.kind == Seed::Quill)
             accepted += checkQuillReader(bytes);
+        else if (seed.kind == Seed::Tilt)
+            accepted += checkTiltReader(bytes);
         else
             accepted += checkPngReader(run % 2 == 0 ? bytes : withRightChecksums(bytes));
     }

@@ -3,6 +3,7 @@
 #include "formats/mesh_file.h"
 #include "formats/png_file.h"
 #include "support/quill_sample.h"
+#include "support/tilt_sample.h"
 
 namespace ductus {
 
@@ -57,6 +58,7 @@ std::vector<Seed> fuzzSeeds()
         {Seed::Png, "seed.png", std::string(reinterpret_cast<const char *>(png.data()), png.size())});
     const QuillSample quill = quillSample();
     seeds.push_back({Seed::Quill, "seed_quill", quill.json + '\0' + quill.qbin});
+    seeds.push_back({Seed::Tilt, "seed_tilt", tiltSketch()});
     return seeds;
 }
 

@@ -8,10 +8,10 @@ namespace ductus {
 
 struct Seed
 {
-    enum Kind { Sketch, Mesh, Png, Quill };
+    enum Kind { Sketch, Mesh, Png, Quill, Tilt };
     Kind kind;
     std::string name;  // with the extension of the format
-    std::string bytes; // of a Quill project: Quill.json, a zero byte, Quill.qbin
+    std::string bytes; // of a Quill project: Quill.json, a zero byte, Quill.qbin; of a .tilt: data.sketch
 };
 
 std::vector<Seed> fuzzSeeds();

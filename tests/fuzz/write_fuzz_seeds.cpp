@@ -1,5 +1,5 @@
 // write_fuzz_seeds FOLDER: the seeds as a corpus for the libFuzzer programs (sub-folders sketch, mesh, png,
-// quill).
+// quill, tilt).
 #include "seeds.h"
 
 #include "formats/atomic_file.h"
@@ -13,7 +13,7 @@ int main(int argc, char **argv)
         return 2;
     }
     for (const ductus::Seed &seed : ductus::fuzzSeeds()) {
-        static const char *const folders[] = {"sketch", "mesh", "png", "quill"};
+        static const char *const folders[] = {"sketch", "mesh", "png", "quill", "tilt"};
         const std::filesystem::path folder = std::filesystem::path(argv[1]) / folders[seed.kind];
         std::filesystem::create_directories(folder);
         // fuzz_sketch and fuzz_mesh take the name from the first byte; the others have only one.

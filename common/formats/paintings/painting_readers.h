@@ -11,4 +11,9 @@ namespace ductus {
 Result<PaintingFile> readQuill(ByteSource &json, ByteSource *qbin, const PaintingReadOptions &options,
                                const JobControl &control);
 
+/// One layer of strokes a layer of the sketch, right-handed, in decimetres; brushes by their GUID, widths by
+/// pressure. \a metadataJson may be null.
+Result<PaintingFile> readTilt(ByteSource &sketch, ByteSource *metadataJson,
+                              const PaintingReadOptions &options, const JobControl &control);
+
 } // namespace ductus
