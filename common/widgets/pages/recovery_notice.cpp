@@ -27,6 +27,14 @@ QLabel *pictureOf(const RecoveredFile &file, qreal scale)
     return picture;
 }
 
+// Short enough to stand beside the buttons.
+QString timeOf(const QDateTime &saved)
+{
+    return saved.date() == QDate::currentDate()
+               ? RecoveryNotice::tr("Today %1").arg(QLocale().toString(saved.time(), QLocale::ShortFormat))
+               : QLocale().toString(saved.date(), QLocale::ShortFormat);
+}
+
 } // namespace
 
 RecoveryNotice::RecoveryNotice(const QList<RecoveredFile> &files, QWidget *parent) : QFrame(parent)
@@ -49,7 +57,8 @@ RecoveryNotice::RecoveryNotice(const QList<RecoveredFile> &files, QWidget *paren
         name->setTextFormat(Qt::PlainText);
         name->setToolTip(file.originalPath);
         name->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-        auto *when = new QLabel(QLocale().toString(file.savedAt, QLocale::ShortFormat));
+        auto *when = new QLabel(timeOf(file.savedAt));
+        when->setToolTip(QLocale().toString(file.savedAt, QLocale::LongFormat));
         when->setProperty("dim", true);
         auto *open = new QPushButton(tr("Open"));
         auto *discard = new QPushButton(tr("Discard"));

@@ -1,6 +1,7 @@
 // Actions and menus of SketchSurfacer's window.
 #include "sketchsurfacer/ui/window/surfacer_window.h"
 #include "widgets/controls/segmented_switch.h"
+#include "widgets/pages/help_window.h"
 #include "widgets/shell/message_bar.h"
 
 #include <QActionGroup>
@@ -183,6 +184,19 @@ void SurfacerWindow::addToolActions()
     connect(mTools, &ToolBox::toolChanged, this,
             [this] { mToolActions->actions().at(int(mTools->tool()))->setChecked(true); });
     mToolActions->actions().first()->setChecked(true);
+}
+
+void SurfacerWindow::openManual(const QString &topic)
+{
+    if (!mHelp)
+        mHelp = new HelpWindow(QStringLiteral(":/manual/sketchsurfacer.md"), this);
+    mHelp->show();
+    mHelp->raise();
+    mHelp->activateWindow();
+    // Tools have sections of their names; on the canvas the one in hand is meant.
+    const QAction *tool =
+        topic == QLatin1String("canvas") ? mToolActions->checkedAction() : actions().action(topic);
+    mHelp->showSection(tool ? plainText(tool->text()) : QString());
 }
 
 void SurfacerWindow::addViewActions()

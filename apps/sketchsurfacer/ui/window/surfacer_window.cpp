@@ -122,6 +122,7 @@ void SurfacerWindow::connectParts()
     });
     connect(this, &MainWindowShell::themeChanged, this,
             [this] { mPresenter->setDark(coloursOf(QGuiApplication::palette()).isDark); });
+    connect(this, &MainWindowShell::helpRequested, this, &SurfacerWindow::openManual);
     connect(&mUnsaved, &UnsavedWork::opened, this, [this] {
         mRecentPath.clear();
         showOpened();

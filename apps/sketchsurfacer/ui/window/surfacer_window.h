@@ -15,6 +15,7 @@ class QActionGroup;
 
 namespace ductus {
 
+class HelpWindow;
 class MeasuresPanel;
 class RegionList;
 class SegmentedSwitch;
@@ -65,6 +66,7 @@ private:
     void openSketch(const QString &title, std::function<Result<ImportedSketch>(const JobControl &)> read,
                     const QString &rememberedPath = {});
     void openProxy(const QString &path);
+    void openManual(const QString &topic);
     void adoptSketch(ImportedSketch sketch);
     void showOpened();
     void saveTo(const QString &path, std::function<void(bool)> finish = {});
@@ -95,6 +97,7 @@ private:
     RegionList *mRegions = nullptr;
     MeasuresPanel *mMeasures = nullptr;
     QActionGroup *mToolActions = nullptr;
+    HelpWindow *mHelp = nullptr;
     std::vector<SampleSketch> mSamples;
     ExportChoice mExportChoice;
     bool mFollowsResult = false; // the user asked for a surface: the switch goes along
