@@ -4,6 +4,8 @@
 #include "surfacing/extraction/half_mesh.h"
 #include "surfacing/pipeline/stopwatch.h"
 
+#include <limits>
+
 namespace ductus {
 
 namespace {
@@ -16,15 +18,25 @@ StrokeSet evenStrokes(StrokeSet strokes, double step)
     return strokes;
 }
 
+// Coordinates that cannot tell a thousandth of the sketch apart.
+bool digitsAreLost(const UnitFrame &frame)
+{
+    return frame.diagonal < 1e3 * std::numeric_limits<double>::epsilon() * frame.centre.cwiseAbs().maxCoeff();
+}
+
 } // namespace
 
-void prepareSketch(SurfacingState &state, const StrokeSet &strokes)
+Result<void> prepareSketch(SurfacingState &state, const StrokeSet &strokes)
 {
     Stopwatch watch;
     const SurfaceOptions &options = state.options;
     auto sketch = std::make_shared<PreparedSketch>();
     sketch->input = strokes;
     sketch->frame = unitFrameOf(strokes);
+    if (digitsAreLost(sketch->frame))
+        return Error{ErrorCode::InvalidArgument, "Reading the sketch's size",
+                     "the sketch is so small for its distance from the origin that its digits are lost",
+                     "Move it to the origin in the program it comes from and export it again", ""};
     sketch->strokes = evenStrokes(inUnitFrame(cleaned(strokes), sketch->frame), options.resamplingStep);
     if (options.symmetry == SymmetryMode::Given)
         sketch->plane = sketch->frame.unitFromInput(options.symmetryPlane);
@@ -41,6 +53,7 @@ void prepareSketch(SurfacingState &state, const StrokeSet &strokes)
     }
     state.sketch = std::move(sketch);
     state.timings.proxy = watch.lap();
+    return {};
 }
 
 StrokeSet strokesInFrame(const StrokeSet &strokes, const PreparedSketch &sketch,

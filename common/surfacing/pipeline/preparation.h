@@ -5,7 +5,7 @@
 
 namespace ductus {
 
-void prepareSketch(SurfacingState &state, const StrokeSet &strokes);
+Result<void> prepareSketch(SurfacingState &state, const StrokeSet &strokes);
 
 /// Other strokes in the frame of \a sketch, as it has them: even steps, only the solved half.
 StrokeSet strokesInFrame(const StrokeSet &strokes, const PreparedSketch &sketch,

@@ -65,7 +65,8 @@ Result<SurfacingState> prepareSurfacing(const StrokeSet &strokes,
 {
     SurfacingState state;
     state.options = options;
-    prepareSketch(state, strokes);
+    if (Result<void> read = prepareSketch(state, strokes); !read)
+        return read.error();
     if (Result<void> made = prepareProxy(state, givenProxy, control.part(0.0, 0.9)); !made)
         return made.error();
     if (Result<void> associated = prepareAssociation(state, control.part(0.9, 1.0)); !associated)

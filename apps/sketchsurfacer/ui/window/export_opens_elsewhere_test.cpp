@@ -34,12 +34,15 @@ struct Reading // what another program sees
     int parts = 0;        // blocks of the scene
     Box3 box;             // of the corners of triangles
     double volume = 0.0;  // signed: positive if triangles look outward
-    std::set<int> groups; // of the triangles, where the reader tells
+    std::set<int> groups; // where the reader tells
 };
 
 void add(vtkPolyData *data, Reading &reading)
 {
     vtkDataArray *groups = data->GetCellData()->GetArray("GroupIds");
+    // One a triangle, while VTK's cells begin with the lines.
+    for (vtkIdType i = 0; groups && i < groups->GetNumberOfTuples(); ++i)
+        reading.groups.insert(int(groups->GetComponent(i, 0)));
     vtkNew<vtkIdList> corners;
     for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell) {
         data->GetCellPoints(cell, corners);
@@ -54,8 +57,6 @@ void add(vtkPolyData *data, Reading &reading)
         }
         reading.volume += p[0].dot(p[1].cross(p[2])) / 6.0;
         ++reading.triangles;
-        if (groups)
-            reading.groups.insert(int(groups->GetComponent(cell, 0)));
     }
     ++reading.parts;
 }
