@@ -24,7 +24,7 @@ std::size_t indexOfBest(const std::vector<Segmentation> &runs)
 // The labels of one run, and the models of all runs to choose from: a model found once is at hand when the
 // parameters begin to favour it.
 ModelLabeling withAllModels(const Association &association, const std::vector<Segmentation> &runs,
-                            std::size_t first, double epsilon)
+                            std::size_t first, const SegmentationOptions &options)
 {
     ModelLabeling fit;
     fit.labels = runs[first].labels;
@@ -37,7 +37,7 @@ ModelLabeling withAllModels(const Association &association, const std::vector<Se
                 models.push_back(&model);
     fit.models.resize(models.size());
     parallelFor(0, models.size(),
-                [&](std::size_t a) { fit.models[a] = labelModel(association, *models[a], int(a), epsilon); });
+                [&](std::size_t a) { fit.models[a] = labelModel(association, *models[a], int(a), options); });
     fit.nextId = int(models.size());
     return fit;
 }
@@ -49,7 +49,7 @@ Result<Segmentation> changed(const Association &association, const MeshTopology 
 {
     const LabelGraph whole = wholeGraph(association, topology);
     const SimplifiedGraph graph = simplified(association, topology, {}, runs[best].labels, {});
-    ModelLabeling start = withAllModels(graph.association, runs, best, changedOptions.epsilon);
+    ModelLabeling start = withAllModels(graph.association, runs, best, changedOptions);
     start.labels.resize(graph.association.pointsOfVertex.size());
     for (std::size_t v = 0; v < graph.clusterOfVertex.size(); ++v)
         start.labels[std::size_t(graph.clusterOfVertex[v])] = runs[best].labels[v];
@@ -62,7 +62,7 @@ Result<Segmentation> changed(const Association &association, const MeshTopology 
     if (!fit)
         return fit.error();
     for (LabelModel &model : fit->models)
-        model = labelModel(association, std::move(model.model), model.id, options.epsilon);
+        model = labelModel(association, std::move(model.model), model.id, options);
     return segmentationOf(whole, options, *fit);
 }
 

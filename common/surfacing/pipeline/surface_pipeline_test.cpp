@@ -2,6 +2,7 @@
 
 #include "base/random.h"
 #include "geometry/nearest.h"
+#include "support/box_sketch.h"
 #include "support/mesh_zoo.h"
 
 #include <QtTest>
@@ -12,34 +13,13 @@ namespace {
 
 const Vec3 halfBox(0.5, 0.32, 0.4); // input units; a box with creases and cross-sections
 
-Stroke line(const Vec3 &a, const Vec3 &b)
+// The box moved by \a shift and scaled.
+StrokeSet sketchedBox(const Vec3 &shift = Vec3::Zero(), double scale = 1.0)
 {
-    Stroke stroke;
-    for (int i = 0; i <= 30; ++i)
-        stroke.points.push_back(a + (b - a) * i / 30.0);
-    return stroke;
-}
-
-// Edges of a box and two lines across each face in both directions, moved by \a shift and scaled.
-StrokeSet boxSketch(const Vec3 &shift = Vec3::Zero(), double scale = 1.0)
-{
-    StrokeSet set;
-    for (int axis = 0; axis < 3; ++axis)
-        for (double t : {-1.0, -0.35, 0.35, 1.0})
-            for (double side : {-1.0, 1.0})
-                for (int other : {1, 2}) {
-                    if (std::abs(t) == 1.0 && other == 2)
-                        continue; // an edge belongs to two faces
-                    Vec3 a, b;
-                    a[axis] = -1.0;
-                    b[axis] = 1.0;
-                    a[(axis + other) % 3] = b[(axis + other) % 3] = side;
-                    a[(axis + 3 - other) % 3] = b[(axis + 3 - other) % 3] = t;
-                    Stroke stroke = line(scale * a.cwiseProduct(halfBox) + shift,
-                                         scale * b.cwiseProduct(halfBox) + shift);
-                    stroke.id.value = int(set.strokes.size());
-                    set.strokes.push_back(stroke);
-                }
+    StrokeSet set = boxSketch({halfBox});
+    for (Stroke &stroke : set.strokes)
+        for (Vec3 &p : stroke.points)
+            p = scale * p + shift;
     return set;
 }
 
@@ -65,7 +45,7 @@ SurfaceResult surfaced(const StrokeSet &sketch, const SurfaceOptions &options)
 
 const SurfaceResult &boxSurface()
 {
-    static const SurfaceResult result = surfaced(boxSketch(), smallOptions());
+    static const SurfaceResult result = surfaced(sketchedBox(), smallOptions());
     return result;
 }
 
@@ -172,7 +152,7 @@ void SurfacePipelineTest::deviationIsWhatItSays()
     QVERIFY(r.deviation.median >= 0.0 && r.deviation.median < 0.003);
     QVERIFY(r.deviation.median <= r.deviation.p95 && r.deviation.p95 <= r.deviation.max);
     QVERIFY(r.deviation.mean <= r.deviation.max && r.deviation.max < 0.03);
-    const StrokeSet sketch = boxSketch();
+    const StrokeSet sketch = sketchedBox();
     QCOMPARE(r.strokeDeviation.size(), sketch.strokes.size());
     const NearestOnMesh nearest(r.mesh);
     const double diagonal = sketch.box().diagonal();
@@ -187,7 +167,7 @@ void SurfacePipelineTest::deviationIsWhatItSays()
 void SurfacePipelineTest::movesAndScalesWithTheSketch()
 {
     const Vec3 shift(40.0, -10.0, 25.0);
-    const SurfaceResult moved = surfaced(boxSketch(shift, 8.0), smallOptions());
+    const SurfaceResult moved = surfaced(sketchedBox(shift, 8.0), smallOptions());
     QVERIFY(manifoldReport(moved.mesh).isClosed());
     QCOMPARE(moved.regions.size(), boxSurface().regions.size());
     double worst = 0.0;
@@ -206,7 +186,7 @@ void SurfacePipelineTest::mirroredHalfIsExactlySymmetric()
     options.symmetry = SymmetryMode::Given;
     const Vec3 shift(0.3, 0.0, 0.0);
     options.symmetryPlane = {Vec3::UnitX(), 0.3};
-    const SurfaceResult r = surfaced(boxSketch(shift), options);
+    const SurfaceResult r = surfaced(sketchedBox(shift), options);
     QVERIFY(manifoldReport(r.mesh).isClosed());
     QVERIFY(signedVolume(r.mesh) > 0.0);
     QCOMPARE(r.triangleRegions.size(), r.mesh.triangles.size());
@@ -224,7 +204,7 @@ void SurfacePipelineTest::symmetryIsFoundOrItsLackTold()
 {
     SurfaceOptions options = smallOptions();
     options.symmetry = SymmetryMode::Auto;
-    const SurfaceResult r = surfaced(boxSketch(Vec3(0.0, 2.0, 0.0)), options);
+    const SurfaceResult r = surfaced(sketchedBox(Vec3(0.0, 2.0, 0.0)), options);
     QVERIFY(r.symmetry.has_value());
     const Vec3 n = r.symmetry->plane.normal;
     QVERIFY(n.cwiseAbs().maxCoeff() > 0.999);
@@ -232,7 +212,7 @@ void SurfacePipelineTest::symmetryIsFoundOrItsLackTold()
     QVERIFY(manifoldReport(r.mesh).isClosed());
 
     StrokeSet lopsided;
-    for (const Stroke &stroke : boxSketch().strokes) {
+    for (const Stroke &stroke : sketchedBox().strokes) {
         lopsided.strokes.push_back(stroke);
         for (Vec3 &p : lopsided.strokes.back().points) {
             p *= 1.0 + 0.3 * p.x() + 0.25 * p.y() + 0.2 * p.z();
@@ -246,10 +226,10 @@ void SurfacePipelineTest::symmetryIsFoundOrItsLackTold()
 
 void SurfacePipelineTest::ignoredStrokesAreLeftOut()
 {
-    StrokeSet sketch = boxSketch();
+    StrokeSet sketch = sketchedBox();
     const std::size_t drawn = sketch.strokes.size();
     for (StrokeRole role : {StrokeRole::Ignored, StrokeRole::Inner, StrokeRole::Skeletal}) {
-        Stroke stroke = line({-0.2, -0.1, 0.0}, {0.3, 0.2, 0.9});
+        Stroke stroke = straightStroke({-0.2, -0.1, 0.0}, {0.3, 0.2, 0.9}, 0.03);
         stroke.id.value = int(sketch.strokes.size());
         stroke.role = role;
         sketch.strokes.push_back(stroke);
@@ -264,21 +244,21 @@ void SurfacePipelineTest::ignoredStrokesAreLeftOut()
 void SurfacePipelineTest::givenProxyIsUsed()
 {
     TriangleMesh rough = zoo::box(-1.04 * halfBox, 1.04 * halfBox);
-    const auto r = surfaceSketch(boxSketch(), rough, smallOptions(), {});
+    const auto r = surfaceSketch(sketchedBox(), rough, smallOptions(), {});
     QVERIFY(r.ok());
     QCOMPARE(r->proxy.kind, ProxyKind::Given);
     QVERIFY(manifoldReport(r->mesh).isClosed());
     QVERIFY(r->deviation.median < 0.003);
     for (Vec3 &p : rough.vertices) // another place altogether
         p += Vec3(50, 0, 0);
-    const auto elsewhere = surfaceSketch(boxSketch(), rough, smallOptions(), {});
+    const auto elsewhere = surfaceSketch(sketchedBox(), rough, smallOptions(), {});
     QVERIFY(!elsewhere.ok());
     QVERIFY(!elsewhere.error().problem.empty() && !elsewhere.error().remedy.empty());
 }
 
 void SurfacePipelineTest::sameSketchSameBytes()
 {
-    const SurfaceResult again = surfaced(boxSketch(), smallOptions());
+    const SurfaceResult again = surfaced(sketchedBox(), smallOptions());
     QVERIFY(again.mesh.vertices == boxSurface().mesh.vertices);
     QVERIFY(again.mesh.triangles == boxSurface().mesh.triangles);
     QCOMPARE(again.triangleRegions, boxSurface().triangleRegions);
@@ -288,7 +268,7 @@ void SurfacePipelineTest::sameSketchSameBytes()
 
 void SurfacePipelineTest::tooLittleDataIsRefused()
 {
-    StrokeSet dots, ignored = boxSketch(), same;
+    StrokeSet dots, ignored = sketchedBox(), same;
     for (int i = 0; i < 5; ++i) {
         Stroke stroke;
         stroke.points = {{0.1 * i, 0, 0}};
@@ -313,7 +293,7 @@ void SurfacePipelineTest::cancelledAtRandomProgress()
         QVERIFY(fraction >= 0.0 && fraction <= 1.0 && !text.empty());
         last = std::max(last, fraction);
     });
-    QVERIFY(surfaceSketch(boxSketch(), std::nullopt, smallOptions(), watching).ok());
+    QVERIFY(surfaceSketch(sketchedBox(), std::nullopt, smallOptions(), watching).ok());
     QVERIFY(last > 0.8);
     Random random(17);
     for (int trial = 0; trial < 8; ++trial) {
@@ -323,7 +303,7 @@ void SurfacePipelineTest::cancelledAtRandomProgress()
             if (fraction >= at)
                 cancel = true;
         });
-        const auto r = surfaceSketch(boxSketch(), std::nullopt, smallOptions(), control);
+        const auto r = surfaceSketch(sketchedBox(), std::nullopt, smallOptions(), control);
         QVERIFY2(!r.ok(), qPrintable(QString::number(at)));
         QVERIFY2(r.error().isCancelled(), r.error().message().c_str());
     }

@@ -1,6 +1,6 @@
 #include "surfacing/pipeline/surfacing_state.h"
 
-#include "strokes/resample.h"
+#include "support/box_sketch.h"
 #include "surfacing/pipeline/restart.h"
 #include "surfacing/pipeline/surface_pipeline.h"
 
@@ -10,30 +10,7 @@ using namespace ductus;
 
 namespace {
 
-const Vec3 halfBox(0.5, 0.32, 0.4);
-
-StrokeSet boxSketch()
-{
-    StrokeSet set;
-    for (int axis = 0; axis < 3; ++axis)
-        for (double t : {-1.0, -0.35, 0.35, 1.0})
-            for (double side : {-1.0, 1.0})
-                for (int other : {1, 2}) {
-                    if (std::abs(t) == 1.0 && other == 2)
-                        continue; // an edge belongs to two faces
-                    Vec3 a, b;
-                    a[axis] = -1.0;
-                    b[axis] = 1.0;
-                    a[(axis + other) % 3] = b[(axis + other) % 3] = side;
-                    a[(axis + 3 - other) % 3] = b[(axis + 3 - other) % 3] = t;
-                    Stroke stroke;
-                    stroke.points =
-                        resampled(std::vector<Vec3>{a.cwiseProduct(halfBox), b.cwiseProduct(halfBox)}, 0.03);
-                    stroke.id.value = int(set.strokes.size());
-                    set.strokes.push_back(stroke);
-                }
-    return set;
-}
+const Vec3 halfBox = BoxSketchOptions().halfBox;
 
 SurfacingRequest smallRequest()
 {

@@ -23,9 +23,8 @@ struct Candidate
 };
 
 // Share of the area behind which the wrap comes out again within the thickness.
-double thinShare(const TriangleMesh &mesh, double thickness)
+double thinShare(const TriangleMesh &mesh, const NearestOnMesh &nearest, double thickness)
 {
-    const NearestOnMesh nearest(mesh);
     double thin = 0.0, area = 0.0;
     for (int t = 0; t < mesh.triangleCount(); ++t) {
         const Vec3 twice = mesh.areaVector(t);
@@ -38,11 +37,10 @@ double thinShare(const TriangleMesh &mesh, double thickness)
     return area > 0.0 ? thin / area : 1.0;
 }
 
-double buriedDepth(const TriangleMesh &mesh, const std::vector<Vec3> &points, double offset)
+double buriedDepth(const NearestOnMesh &nearest, const std::vector<Vec3> &points, double offset)
 {
     constexpr std::size_t enough = 1500;
     const std::size_t stride = points.size() / enough + 1;
-    const NearestOnMesh nearest(mesh);
     double sum = 0.0;
     int count = 0;
     for (std::size_t i = 0; i < points.size(); i += stride, ++count)
@@ -56,8 +54,9 @@ Candidate measured(TriangleMesh mesh, const std::vector<Vec3> &points, const Wra
     const MeshTopology topology(mesh);
     c.volume = signedVolume(mesh);
     c.area = surfaceArea(mesh);
-    c.thinShare = thinShare(mesh, options.thickness);
-    c.buried = buriedDepth(mesh, points, options.offset);
+    const NearestOnMesh nearest(mesh);
+    c.thinShare = thinShare(mesh, nearest, options.thickness);
+    c.buried = buriedDepth(nearest, points, options.offset);
     c.eulerNumber = mesh.vertexCount() - int(topology.edges.size()) + mesh.triangleCount();
     triangleComponents(topology, &c.components);
     c.mesh = std::move(mesh);

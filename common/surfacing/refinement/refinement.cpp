@@ -58,8 +58,7 @@ LabelSolution unscribbled(const ScribbleDomain &domain, Segmentation segmentatio
     solution.fit.labels = segmentation.labels;
     for (const ImplicitPolynomial &model : segmentation.models) {
         solution.modelIds.push_back(solution.fit.nextId);
-        solution.fit.models.push_back(
-            labelModel(domain.association, model, solution.fit.nextId++, options.epsilon));
+        solution.fit.models.push_back(labelModel(domain.association, model, solution.fit.nextId++, options));
     }
     solution.segmentation = std::move(segmentation);
     return solution;

@@ -1,6 +1,6 @@
 #include "surfacing/refinement/refinement.h"
 
-#include "strokes/resample.h"
+#include "support/box_sketch.h"
 #include "support/mesh_zoo.h"
 #include "surfacing/refinement/region_cut.h"
 #include "surfacing/segmentation/data_costs.h"
@@ -17,33 +17,24 @@ const Vec3 halfBox = Vec3(0.5, 0.32, 0.4) / (2.0 * Vec3(0.5, 0.32, 0.4).norm());
 constexpr double plateau = 0.03; // height of a square drawn above the top, next to its middle
 constexpr double plateauHalf = 0.09;
 const Vec3 plateauCentre(0.12, 0.0, 0.08);
+constexpr double step = 0.008;
 
 Stroke line(const Vec3 &a, const Vec3 &b)
 {
-    Stroke stroke;
-    stroke.points = resampled(std::vector<Vec3>{a, b}, 0.008);
-    return stroke;
+    return straightStroke(a, b, step);
 }
 
 // Edges of the box and two lines across each face in both directions; above the top the plateau.
 StrokeSet sketch(bool withPlateau)
 {
-    StrokeSet set;
-    for (int axis = 0; axis < 3; ++axis)
-        for (double t : {-1.0, -0.6, 0.6, 1.0})
-            for (double side : {-1.0, 1.0})
-                for (int other : {1, 2}) {
-                    if (std::abs(t) == 1.0 && other == 2)
-                        continue; // an edge belongs to two faces
-                    Vec3 a, b;
-                    a[axis] = -1.0;
-                    b[axis] = 1.0;
-                    a[(axis + other) % 3] = b[(axis + other) % 3] = side;
-                    a[(axis + 3 - other) % 3] = b[(axis + 3 - other) % 3] = t;
-                    if (withPlateau && std::abs(t) < 1.0 && a[1] == 1.0 && b[1] == 1.0)
-                        continue; // the top has only what is drawn below
-                    set.strokes.push_back(line(a.cwiseProduct(halfBox), b.cwiseProduct(halfBox)));
-                }
+    BoxSketchOptions box{halfBox, 0.6, step, {}};
+    if (withPlateau) // the top has only its rim and what is drawn below
+        box.isLeftOut = [](const Vec3 &a, const Vec3 &b) {
+            const auto isInner = [](double x) { return std::abs(x) < 1.0; };
+            return a.y() == 1.0 && b.y() == 1.0 && (isInner(a.x()) || isInner(a.z())) &&
+                   (isInner(b.x()) || isInner(b.z()));
+        };
+    StrokeSet set = boxSketch(box);
     if (withPlateau) {
         const double y = halfBox.y() + plateau;
         for (double t : {-1.0, 0.0, 1.0})

@@ -96,7 +96,7 @@ private:
             of.insert(of.end(), part.begin(), part.end());
         }
         forget(vertices);
-        const int id = addModel(supportOfVertices(vertices), vertices, mScribble.degree);
+        const int id = addModel(supportOf(mDomain.association, vertices), vertices, mScribble.degree);
         want(mTouched, id, mPenalty);
         for (const auto &[old, part] : partsOfId)
             for (int v : vertices)
@@ -128,7 +128,7 @@ private:
     {
         for (const std::vector<int> &part : touchedParts()) {
             forget(part);
-            const int id = addModel(supportOfVertices(part), part, mScribble.degree);
+            const int id = addModel(supportOf(mDomain.association, part), part, mScribble.degree);
             relabel(part, id);
             want(part, id,
                  mPenalty); // all of it: another degree is no reason to give parts of the region away
@@ -172,8 +172,8 @@ private:
         const int old = idAt(cut.left.front());
         forget(cut.left);
         forget(cut.right);
-        const int left = addModel(supportOfVertices(cut.left), cut.left, mScribble.degree);
-        const int right = addModel(supportOfVertices(cut.right), cut.right, mScribble.degree);
+        const int left = addModel(supportOf(mDomain.association, cut.left), cut.left, mScribble.degree);
+        const int right = addModel(supportOf(mDomain.association, cut.right), cut.right, mScribble.degree);
         relabel(cut.left, left);
         relabel(cut.right, right);
         for (const auto &[side, other] : {std::pair(&cut.left, right), std::pair(&cut.right, left)})
@@ -219,7 +219,7 @@ private:
             vertices.insert(vertices.end(), part.begin(), part.end());
         if (parts.size() < 2)
             return; // there is no border; none will come
-        relabel(vertices, addModel(supportOfVertices(vertices), vertices, 0));
+        relabel(vertices, addModel(supportOf(mDomain.association, vertices), vertices, 0));
     }
 
     void overrideEdge(int edge, double weight)
@@ -292,14 +292,6 @@ private:
             labels()[std::size_t(v)] = label;
     }
 
-    RegionSupport supportOfVertices(const std::vector<int> &vertices) const
-    {
-        std::vector<char> flags(mDomain.association.pointsOfVertex.size(), 0);
-        for (int v : vertices)
-            flags[std::size_t(v)] = 1;
-        return supportOf(mDomain.association, flags);
-    }
-
     // Stroke points of the vertices; where a scribble runs between strokes, rings are added until there are
     // some.
     RegionSupport supportNear(const std::vector<int> &vertices) const
@@ -337,13 +329,11 @@ private:
         std::optional<LabelModel> best;
         double bestEnergy = 0.0;
         for (int d = lowest; d <= highest; ++d) {
-            LabelModel model =
-                support.points.empty()
-                    ? mEffect.start.models[std::size_t(labels()[std::size_t(vertices[0])])]
-                    : labelModel(a, fitRegion(a, support, d, mOptions.fit), id, mOptions.epsilon);
+            LabelModel model = support.points.empty()
+                                   ? mEffect.start.models[std::size_t(labels()[std::size_t(vertices[0])])]
+                                   : labelModel(a, fitRegion(a, support, d, mOptions.fit), id, mOptions);
             model.id = id;
-            double energy =
-                mOptions.simplicity * double(model.model.theta.size()) / mOptions.parameterNormaliser;
+            double energy = labelCost(model.model, mOptions);
             for (int v : vertices)
                 energy += (*model.costs)[std::size_t(v)];
             if (!best || energy < bestEnergy) {

@@ -33,7 +33,7 @@ public:
         // The same models have other costs at other stroke points.
         parallelFor(0, mFit.models.size(), [&](std::size_t a) {
             LabelModel &model = mFit.models[a];
-            model = labelModel(domain.association, std::move(model.model), model.id, options.epsilon);
+            model = labelModel(domain.association, std::move(model.model), model.id, options);
         });
     }
 
@@ -108,28 +108,12 @@ private:
         return flags;
     }
 
-    RegionSupport supportOfVertices(const std::vector<int> &vertices) const
-    {
-        std::vector<char> flags(mIsLocked.size(), 0);
-        for (int v : vertices)
-            flags[std::size_t(v)] = 1;
-        return supportOf(mDomain.association, flags);
-    }
-
     double energyOf(const LabelModel &model, const std::vector<int> &vertices) const
     {
-        double energy = mOptions.simplicity * double(model.model.theta.size()) / mOptions.parameterNormaliser;
+        double energy = labelCost(model.model, mOptions);
         for (int v : vertices)
             energy += (*model.costs)[std::size_t(v)];
         return energy;
-    }
-
-    const HeldModel *heldModel(int id) const
-    {
-        for (const HeldModel &held : mConstraints.held)
-            if (held.modelId == id)
-                return &held;
-        return nullptr;
     }
 
     // A model at its old degree takes the place of the old one where it explains the region better; the other
@@ -138,7 +122,7 @@ private:
     {
         for (int label : touched) {
             LabelModel &old = mFit.models[std::size_t(label)];
-            const HeldModel *held = heldModel(old.id);
+            const HeldModel *held = mConstraints.heldModel(old.id);
             if (held && held->isFrozen)
                 continue;
             const std::vector<char> flags = flagsOfLabel(label);
@@ -147,7 +131,7 @@ private:
                 continue;
             LabelModel again = labelModel(
                 mDomain.association, fitRegion(mDomain.association, support, old.model.degree, mOptions.fit),
-                old.id, mOptions.epsilon);
+                old.id, mOptions);
             std::vector<int> vertices;
             for (std::size_t v = 0; v < flags.size(); ++v)
                 if (flags[v])
@@ -216,12 +200,13 @@ private:
     {
         const std::optional<RegionCut> cut = cutAlong(mDomain, part, path, CutEnds::Extended);
         if (cut) {
-            propose(supportOfVertices(cut->left), mOptions.maxDegree);
-            propose(supportOfVertices(cut->right), mOptions.maxDegree);
+            propose(supportOf(mDomain.association, cut->left), mOptions.maxDegree);
+            propose(supportOf(mDomain.association, cut->right), mOptions.maxDegree);
         }
         for (double reach : localReaches)
             for (const std::vector<int> *side : {&path.left, &path.right})
-                propose(supportOfVertices(beside(*side, part, path.crossedEdges, reach)), highestLocalDegree);
+                propose(supportOf(mDomain.association, beside(*side, part, path.crossedEdges, reach)),
+                        highestLocalDegree);
     }
 
     // Vertices of the part within \a reach of those given, reached without crossing the stroke.
@@ -260,7 +245,7 @@ private:
             mFit.models[first + i] = labelModel(
                 mDomain.association,
                 fitRegion(mDomain.association, mProposals[i].support, mProposals[i].degree, mOptions.fit),
-                mFit.nextId + int(i), mOptions.epsilon);
+                mFit.nextId + int(i), mOptions);
         });
         mFit.nextId += int(mProposals.size());
     }
@@ -285,14 +270,14 @@ private:
     // A new model of the degree of least energy; its label.
     std::optional<int> bestModelFor(const std::vector<int> &vertices)
     {
-        const RegionSupport support = supportOfVertices(vertices);
+        const RegionSupport support = supportOf(mDomain.association, vertices);
         if (support.points.size() < fewestPoints)
             return std::nullopt;
         std::optional<LabelModel> best;
         for (int degree = 1; degree <= mOptions.maxDegree; ++degree) {
             LabelModel model =
                 labelModel(mDomain.association, fitRegion(mDomain.association, support, degree, mOptions.fit),
-                           mFit.nextId, mOptions.epsilon);
+                           mFit.nextId, mOptions);
             if (!best || energyOf(model, vertices) < energyOf(*best, vertices))
                 best = std::move(model);
         }

@@ -7,23 +7,15 @@
 // that runs across it.
 #pragma once
 
-#include "surfacing/association/association.h"
+#include "surfacing/segmentation/segmentation.h"
 
 namespace ductus {
-
-struct ProxyPrior
-{
-    double distance = 0.05; // of model from proxy that costs nothing, share of the box diagonal
-    double cosine = 0.5;    // nor does an angle of their normals up to 60 degrees
-    double bound = 4.0;     // most a vertex can cost, before the weight
-    double weight = 0.05;   // of the mean over vertices without strokes
-};
 
 /// How grossly \a model contradicts the proxy at one of its vertices: 0, mostly, up to the bound.
 double contradiction(const OrientedPoint &vertex, const ImplicitPolynomial &model, const ProxyPrior &prior);
 
 std::vector<double> dataCosts(const Association &association, const ImplicitPolynomial &model, double epsilon,
-                              const ProxyPrior &prior = {});
+                              const ProxyPrior &prior);
 
 /// Indices into association.points of P_alpha: the points of all vertices with flag set, each once,
 /// ascending.

@@ -40,25 +40,25 @@ private slots:
 
 void DataCostsTest::areEquationIII2()
 {
-    const std::vector<double> costs = dataCosts(threePoints(), planeZ(), 0.01);
+    const std::vector<double> costs = dataCosts(threePoints(), planeZ(), 0.01, {});
     QCOMPARE(costs.size(), std::size_t(3));
     QVERIFY(std::abs(costs[0] - (1.0 + 4.0) / 4) < 1e-12);
     QCOMPARE(costs[1], 0.0);
     QVERIFY(std::abs(costs[2] - (4.0 + 9.0) / 4) < 1e-12);
     // Twice the epsilon, a quarter of the cost.
-    QVERIFY(std::abs(dataCosts(threePoints(), planeZ(), 0.02)[2] - (4.0 + 9.0) / 16) < 1e-12);
+    QVERIFY(std::abs(dataCosts(threePoints(), planeZ(), 0.02, {})[2] - (4.0 + 9.0) / 16) < 1e-12);
 }
 
 void DataCostsTest::oneStrayPointIsBounded()
 {
     Association a = threePoints();
     a.points[2].point.z() = 1e6;
-    const double cost = dataCosts(a, planeZ(), 0.01)[2];
+    const double cost = dataCosts(a, planeZ(), 0.01, {})[2];
     QVERIFY(cost <= (1.0 + 0.02 * 0.02) / (0.01 * 0.01 * 4) * (1 + 1e-12)); // a whole box diagonal
     QVERIFY(cost > 100.0);
     ImplicitPolynomial nothing = planeZ(); // no gradient anywhere: neither infinite nor NaN
     nothing.theta << 1, 0, 0, 0;
-    for (double c : dataCosts(a, nothing, 0.01))
+    for (double c : dataCosts(a, nothing, 0.01, {}))
         QVERIFY(std::isfinite(c) && c >= 0.0);
 }
 
@@ -66,7 +66,7 @@ void DataCostsTest::unassociatedMeshCostsNothing()
 {
     Association a;
     a.pointsOfVertex.resize(5);
-    QCOMPARE(dataCosts(a, planeZ(), 0.01), std::vector<double>(5, 0.0));
+    QCOMPARE(dataCosts(a, planeZ(), 0.01, {}), std::vector<double>(5, 0.0));
 }
 
 void DataCostsTest::proxyHasASayWhereNoStrokeRuns()
@@ -96,7 +96,7 @@ void DataCostsTest::clustersCountForAllTheirVertices()
     a.vertices = {{}, {{0, 0, 0.1}, Vec3::UnitZ()}, {}, {{0.5, 0, 0.0}, Vec3::UnitZ()}};
     a.pointsOfVertex.emplace_back();
     a.vertexCounts = {1, 30, 1, 10};
-    QVERIFY(std::abs(dataCosts(a, planeZ(), 0.01)[1] - ProxyPrior().weight * 0.75 * 3.0) < 1e-12);
+    QVERIFY(std::abs(dataCosts(a, planeZ(), 0.01, {})[1] - ProxyPrior().weight * 0.75 * 3.0) < 1e-12);
 }
 
 void DataCostsTest::pointsOfFlaggedVerticesOnceEach()

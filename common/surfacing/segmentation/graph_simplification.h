@@ -4,7 +4,8 @@
 //
 // The thesis collapses edges of the mesh and rescales edge weights by the triangles' size. Here joined
 // vertices form clusters and the weights of all edges between two clusters are added up: the energy of a
-// labelling of the clusters is exactly the energy of the same labels on the whole graph.
+// labelling of the clusters is exactly the energy of the same labels on the whole graph,
+// but for what the proxy objects to (data_costs.h): there one vertex speaks for its cluster, with the weight of all.
 #pragma once
 
 #include "surfacing/segmentation/multi_model_fit.h"

@@ -42,7 +42,7 @@ ModelLabeling onWholeGraph(const LabelGraph &whole, const SimplifiedGraph &graph
     fit.labels = graph.ofVertices(fit.labels);
     parallelFor(0, fit.models.size(), [&](std::size_t a) {
         fit.models[a] =
-            labelModel(whole.association, std::move(fit.models[a].model), fit.models[a].id, options.epsilon);
+            labelModel(whole.association, std::move(fit.models[a].model), fit.models[a].id, options);
     });
     return fit;
 }

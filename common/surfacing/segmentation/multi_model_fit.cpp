@@ -14,11 +14,6 @@ namespace ductus {
 
 namespace {
 
-double labelCost(const ImplicitPolynomial &model, const SegmentationOptions &options)
-{
-    return options.simplicity * double(model.theta.size()) / options.parameterNormaliser;
-}
-
 // One run of Algorithm 1.
 class Pearl
 {
@@ -78,14 +73,6 @@ private:
         return std::make_shared<const std::vector<double>>(std::move(costs));
     }
 
-    const HeldModel *heldModel(int id) const
-    {
-        for (const HeldModel &held : mConstraints.held)
-            if (held.modelId == id)
-                return &held;
-        return nullptr;
-    }
-
     void addModels(std::vector<ImplicitPolynomial> models)
     {
         const std::size_t first = mFit.models.size();
@@ -93,7 +80,7 @@ private:
         mCosts.resize(first + models.size());
         parallelFor(0, models.size(), [&](std::size_t i) {
             LabelModel &added = mFit.models[first + i];
-            added = labelModel(mAssociation, std::move(models[i]), mFit.nextId + int(i), mOptions.epsilon);
+            added = labelModel(mAssociation, std::move(models[i]), mFit.nextId + int(i), mOptions);
             mCosts[first + i] = costsWithPreferences(added);
         });
         mFit.nextId += int(models.size());
@@ -146,7 +133,7 @@ private:
         for (std::size_t a = 0; a < mFit.models.size(); ++a) {
             if (newFromOld[a] == 0)
                 keep(a);
-            else if (heldModel(mFit.models[a].id))
+            else if (mConstraints.heldModel(mFit.models[a].id))
                 heldOnly.push_back(a);
         }
         mUsedCount = kept.size();
@@ -181,7 +168,7 @@ private:
     {
         std::vector<std::optional<LabelModel>> refits(mUsedCount);
         parallelFor(0, mUsedCount, [&](std::size_t a) {
-            const HeldModel *held = heldModel(mFit.models[a].id);
+            const HeldModel *held = mConstraints.heldModel(mFit.models[a].id);
             if ((held && held->isFrozen) || (mProposals != Proposals::Everywhere && !changed[a]))
                 return;
             const RegionSupport support = supportOfLabel(a);
@@ -193,12 +180,12 @@ private:
                                         held->degree ? held->degree : mOptions.maxDegree);
             else
                 refits[a] = labelModel(mAssociation, fitRegion(mAssociation, support, degree, mOptions.fit),
-                                       mFit.models[a].id, mOptions.epsilon);
+                                       mFit.models[a].id, mOptions);
         });
         for (std::size_t a = 0; a < mUsedCount; ++a) {
             if (!refits[a])
                 continue;
-            const bool isHeld = heldModel(mFit.models[a].id);
+            const bool isHeld = mConstraints.heldModel(mFit.models[a].id);
             const double before = costOfLabel(a, *mFit.models[a].costs);
             const double after = costOfLabel(a, *refits[a]->costs);
             const double labelCostBefore = isHeld ? labelCost(mFit.models[a].model, mOptions) : 0.0;
@@ -222,7 +209,7 @@ private:
         for (int degree = lowest; degree <= highest; ++degree) {
             LabelModel variant =
                 labelModel(mAssociation, fitRegion(mAssociation, support, degree, mOptions.fit),
-                           mFit.models[a].id, mOptions.epsilon);
+                           mFit.models[a].id, mOptions);
             const double energy = costOfLabel(a, *variant.costs) + labelCost(variant.model, mOptions);
             if (!best || energy < bestEnergy) {
                 best = std::move(variant);
@@ -245,7 +232,7 @@ private:
             return;
         std::vector<ImplicitPolynomial> lower;
         for (std::size_t a = 0; a < mUsedCount; ++a) {
-            if (!changed[a] || heldModel(mFit.models[a].id))
+            if (!changed[a] || mConstraints.heldModel(mFit.models[a].id))
                 continue;
             const RegionSupport support = supportOfLabel(a);
             for (int degree = mFit.models[a].model.degree - 1; degree >= 1 && !support.points.empty();
@@ -282,10 +269,25 @@ LabelGraph wholeGraph(const Association &association, const MeshTopology &topolo
             std::accumulate(association.edgeWeights.begin(), association.edgeWeights.end(), 0.0)};
 }
 
-LabelModel labelModel(const Association &association, ImplicitPolynomial model, int id, double epsilon)
+const HeldModel *LabelConstraints::heldModel(int modelId) const
 {
-    auto costs = std::make_shared<const std::vector<double>>(dataCosts(association, model, epsilon));
+    for (const HeldModel &model : held)
+        if (model.modelId == modelId)
+            return &model;
+    return nullptr;
+}
+
+LabelModel labelModel(const Association &association, ImplicitPolynomial model, int id,
+                      const SegmentationOptions &options)
+{
+    auto costs = std::make_shared<const std::vector<double>>(
+        dataCosts(association, model, options.epsilon, options.proxyPrior));
     return {id, std::move(model), std::move(costs)};
+}
+
+double labelCost(const ImplicitPolynomial &model, const SegmentationOptions &options)
+{
+    return options.simplicity * double(model.theta.size()) / options.parameterNormaliser;
 }
 
 Result<ModelLabeling> fitModels(const LabelGraph &graph, const SegmentationOptions &options,

@@ -65,6 +65,8 @@ struct LabelConstraints
     std::vector<VertexPreference> preferences;
     std::vector<EdgeOverride> edges;
     std::vector<HeldModel> held;
+
+    const HeldModel *heldModel(int modelId) const; // null if nobody holds it
 };
 
 enum class Proposals {
@@ -73,7 +75,11 @@ enum class Proposals {
     Nothing,      // only the models there are
 };
 
-LabelModel labelModel(const Association &association, ImplicitPolynomial model, int id, double epsilon);
+LabelModel labelModel(const Association &association, ImplicitPolynomial model, int id,
+                      const SegmentationOptions &options);
+
+/// Of using a model at all: its term of w_simplicity E_simplicity (Eq. III.4).
+double labelCost(const ImplicitPolynomial &model, const SegmentationOptions &options);
 
 /// \a start needs models; iterations are told in \a iterations if given.
 Result<ModelLabeling> fitModels(const LabelGraph &graph, const SegmentationOptions &options,

@@ -50,14 +50,16 @@ std::vector<std::pair<int, int>> neighboursByBorderWeight(const Association &ass
 // bottom seen as the inside of the cylinder through its rim.
 std::vector<RegionSupport> contradictedParts(const Association &association, const MeshTopology &topology,
                                              const std::vector<int> &labels,
-                                             const std::vector<ImplicitPolynomial> &models)
+                                             const std::vector<ImplicitPolynomial> &models,
+                                             const ProxyPrior &prior)
 {
     constexpr int fewest = 8;    // stroke points, to fit anything to
     constexpr int ringCount = 2; // to reach the strokes around
     std::vector<char> isContradicted(labels.size(), 0);
     for (std::size_t v = 0; v < association.vertices.size(); ++v)
-        isContradicted[v] = association.pointsOfVertex[v].empty() &&
-                            contradiction(association.vertices[v], models[std::size_t(labels[v])], {}) > 0.0;
+        isContradicted[v] =
+            association.pointsOfVertex[v].empty() &&
+            contradiction(association.vertices[v], models[std::size_t(labels[v])], prior) > 0.0;
     std::vector<RegionSupport> parts;
     std::vector<char> isDone(labels.size(), 0);
     for (std::size_t seed = 0; seed < labels.size(); ++seed) {
@@ -126,7 +128,8 @@ std::vector<ImplicitPolynomial> proposeModels(const Association &association, co
         ++merges;
     }
 
-    for (const RegionSupport &part : contradictedParts(association, topology, labels, models))
+    for (const RegionSupport &part :
+         contradictedParts(association, topology, labels, models, options.proxyPrior))
         for (int degree = 1; degree <= std::min(2, options.maxDegree); ++degree)
             proposals.push_back({part, degree});
 

@@ -40,6 +40,14 @@ RegionSupport supportOf(const Association &association, const std::vector<char> 
     return support;
 }
 
+RegionSupport supportOf(const Association &association, const std::vector<int> &vertices)
+{
+    std::vector<char> flags(association.pointsOfVertex.size(), 0);
+    for (int v : vertices)
+        flags[std::size_t(v)] = 1;
+    return supportOf(association, flags);
+}
+
 RegionSupport united(const RegionSupport &a, const RegionSupport &b)
 {
     return {unionOf(a.points, b.points), unionOf(a.freeVertices, b.freeVertices)};

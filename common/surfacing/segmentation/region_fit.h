@@ -16,6 +16,9 @@ struct RegionSupport
 /// Of the vertices with flag set.
 RegionSupport supportOf(const Association &association, const std::vector<char> &vertexFlags);
 
+/// Of the vertices listed.
+RegionSupport supportOf(const Association &association, const std::vector<int> &vertices);
+
 RegionSupport united(const RegionSupport &a, const RegionSupport &b);
 
 /// \a support must have points.

@@ -27,7 +27,7 @@ Result<Run> oneRun(const LabelGraph &graph, std::vector<ImplicitPolynomial> mode
     start.nextId = int(models.size());
     start.models.resize(models.size());
     parallelFor(0, models.size(), [&](std::size_t i) {
-        start.models[i] = labelModel(graph.association, std::move(models[i]), int(i), options.epsilon);
+        start.models[i] = labelModel(graph.association, std::move(models[i]), int(i), options);
     });
     Run run;
     Result<ModelLabeling> fit =

@@ -15,6 +15,15 @@
 
 namespace ductus {
 
+/// What the proxy has to say where no stroke runs; used by dataCosts (data_costs.h says why).
+struct ProxyPrior
+{
+    double distance = 0.05; // of model from proxy that costs nothing, share of the box diagonal
+    double cosine = 0.5;    // nor does an angle of their normals up to 60 degrees
+    double bound = 4.0;     // most a vertex can cost, before the weight
+    double weight = 0.05;   // of the mean over vertices without strokes
+};
+
 struct SegmentationOptions
 {
     double epsilon = 0.01;                             // share of the box diagonal, Sec. III.5.2
@@ -31,6 +40,7 @@ struct SegmentationOptions
     std::uint64_t seed = 1;
     bool simplifyGraph = true; // away from strokes, Sec. III.6: faster, and hardly another result
     ModelFitOptions fit;
+    ProxyPrior proxyPrior; // beyond the thesis
 };
 
 struct Segmentation
