@@ -1,5 +1,6 @@
 #include "document/document_files.h"
 
+#include "painting/storage/painting_content.h"
 #include "project/project_reader.h"
 
 #include <QCoreApplication>
@@ -33,6 +34,13 @@ std::filesystem::path enginePath(const QString &path)
     return std::filesystem::path(QFile::encodeName(path).toStdString());
 }
 
+ProjectReadOptions knownDocuments()
+{
+    ProjectReadOptions options;
+    options.kinds = {paintingKind()};
+    return options;
+}
+
 Result<OpenedProject> openProjectFile(const QString &path, const QString &application, bool isLocked)
 {
     OpenedProject opened;
@@ -47,7 +55,7 @@ Result<OpenedProject> openProjectFile(const QString &path, const QString &applic
         else
             opened.readOnlyReason = inWords(lock.error());
     }
-    Result<Project> project = openProject(enginePath(opened.filePath));
+    Result<Project> project = openProject(enginePath(opened.filePath), knownDocuments());
     if (!project)
         return project.error();
     opened.project = std::move(project).value();

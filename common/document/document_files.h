@@ -7,6 +7,7 @@
 
 #include "document/document.h"
 #include "document/jobs/job_runner.h"
+#include "project/project_reader.h"
 
 #include <QStringList>
 #include <functional>
@@ -37,6 +38,9 @@ struct SaveRequest
     quint64 revision = 0;
     std::shared_ptr<HeldLocks> locks; // of the document
 };
+
+/// For openProject(): all kinds of documents the apps know.
+ProjectReadOptions knownDocuments();
 
 /// Reads the project at \a path and takes its lock, unless \a isLocked says that it is ours already; a
 /// project that is locked or lies in a folder that cannot be written is opened read-only. Errors: those of

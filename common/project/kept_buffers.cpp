@@ -76,8 +76,13 @@ std::set<std::string> buffersToKeep(const Project &project, const std::set<std::
     finder.search(project.unknown);
     for (const ProjectDocument &document : project.documents) {
         finder.search(document.unknown);
-        if (document.original && (document.readOnly || !document.sketchSurface))
+        const bool isUnread = !document.sketchSurface && !document.content;
+        if (document.original && (document.readOnly || isUnread))
             finder.search(*document.original);
+        if (document.content) {
+            for (const UnknownMembers *members : document.content->unknownMembers())
+                finder.search(*members);
+        }
         if (document.sketchSurface)
             searchUnknown(*document.sketchSurface, finder);
     }
@@ -91,6 +96,16 @@ std::set<std::string> buffersToKeep(const Project &project, const std::set<std::
             kept.insert(hash);
     }
     return kept;
+}
+
+std::set<std::string> mentionedBuffers(std::string_view text, const BufferStore &store)
+{
+    std::set<std::string> hashes;
+    for (const auto &[hash, entry] : store.entries())
+        hashes.insert(hash);
+    MentionFinder finder(hashes);
+    finder.search(text);
+    return finder.mentioned();
 }
 
 } // namespace ductus

@@ -10,4 +10,7 @@ namespace ductus {
 /// is not known.
 std::set<std::string> buffersToKeep(const Project &project, const std::set<std::string> &usedBuffers);
 
+/// Hashes of the buffers of \a store that stand in \a text.
+std::set<std::string> mentionedBuffers(std::string_view text, const BufferStore &store);
+
 } // namespace ductus

@@ -26,6 +26,16 @@ ProjectDocument newSketchSurface(const Uuid &id, std::string name, SketchSurface
     return document;
 }
 
+ProjectDocument newDocument(const Uuid &id, std::string name, std::shared_ptr<const DocumentContent> content)
+{
+    ProjectDocument document;
+    document.id = id;
+    document.kind = content->kind();
+    document.name = std::move(name);
+    document.content = std::move(content);
+    return document;
+}
+
 Result<std::shared_ptr<const SketchSurfaceDocument>> sketchSurfaceOf(const ProjectDocument &document)
 {
     if (document.sketchSurface)

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "project/arrays/buffer_store.h"
+#include "project/document_content.h"
 #include "project/json/raw_json.h"
 #include "project/sketch_surface_document.h"
 #include "project/uuid.h"
@@ -29,7 +30,12 @@ struct ProjectDocument
     /// changed copy in its place.
     std::shared_ptr<const SketchSurfaceDocument> sketchSurface;
 
-    /// Made by a newer version; saved as it came whatever \a sketchSurface says.
+    /// The content of a document of another kind that ProjectReadOptions::kinds knows, null for all others.
+    /// To edit, put a changed copy in its place.
+    std::shared_ptr<const DocumentContent> content;
+    std::shared_ptr<const DocumentContent> readContent; // what \a original says: saved as it came while equal
+
+    /// Made by a newer version; saved as it came whatever the content is.
     bool readOnly = false;
     /// Greater than zero: the content needs a reader of at least this version and was not read.
     int neededVersion = 0;
@@ -63,6 +69,9 @@ struct Project
 
 /// A new document without preview.
 ProjectDocument newSketchSurface(const Uuid &id, std::string name, SketchSurfaceDocument content);
+
+/// The same of another kind.
+ProjectDocument newDocument(const Uuid &id, std::string name, std::shared_ptr<const DocumentContent> content);
 
 /// The content of \a document; fails with NewerVersion (naming the version) or Unsupported if there is none
 /// to read.

@@ -30,8 +30,9 @@ Result<std::string> entryText(const StoredEntry &entry, const std::string &place
 class ProjectParser
 {
 public:
-    ProjectParser(Container container, std::string name, const MigrationTable &migrations)
-        : mContainer(std::move(container)), mName(std::move(name)), mMigrations(migrations),
+    ProjectParser(Container container, std::string name, const MigrationTable &migrations,
+                  const std::vector<DocumentKind> &kinds)
+        : mContainer(std::move(container)), mName(std::move(name)), mMigrations(migrations), mKinds(kinds),
           mArrays(mProject.buffers, mName)
     {
     }
@@ -41,13 +42,16 @@ public:
 private:
     Result<void> readProjectJson();
     Result<void> readDocument(const JsonReader &record);
-    Result<void> readSketchSurface(ProjectDocument &document);
+    Result<void> readContent(ProjectDocument &document, int version,
+                             const std::function<void(const JsonReader &)> &read);
+    Result<void> readKnownKind(ProjectDocument &document);
     std::optional<StoredEntry> take(const std::string &entryName);
     void takeBuffers();
 
     Container mContainer; // entries are taken out one by one, the rest is kept
     std::string mName;
     const MigrationTable &mMigrations;
+    const std::vector<DocumentKind> &mKinds;
     Project mProject;
     ArrayLoader mArrays;
     std::set<Uuid> mIds;
@@ -71,14 +75,15 @@ void ProjectParser::takeBuffers()
     }
 }
 
-Result<void> ProjectParser::readSketchSurface(ProjectDocument &document)
+Result<void> ProjectParser::readContent(ProjectDocument &document, int version,
+                                        const std::function<void(const JsonReader &)> &read)
 {
     const std::string place = mName + ":" + document.original->name;
     Result<std::string> text = entryText(*document.original, place);
     if (!text)
         return text.error();
     const Result<VersionedJson> json =
-        parsedVersionedJson(std::move(*text), sketchSurfaceKind, sketchSurfaceVersion, mMigrations, place);
+        parsedVersionedJson(std::move(*text), document.kind, version, mMigrations, place);
     if (!json)
         return json.error();
     document.readOnly = json->isNewer;
@@ -92,10 +97,25 @@ Result<void> ProjectParser::readSketchSurface(ProjectDocument &document)
     const JsonReader reader(json->json, place);
     if (reader.string("id", 36) != document.id.text())
         reader.failAt("id", "this is not the document project.json speaks of");
-    SketchSurfaceDocument content = sketchSurfaceFromJson(reader, mArrays);
+    read(reader);
     if (reader.failed())
         return reader.error();
-    document.sketchSurface = std::make_shared<const SketchSurfaceDocument>(std::move(content));
+    return {};
+}
+
+Result<void> ProjectParser::readKnownKind(ProjectDocument &document)
+{
+    if (document.kind == sketchSurfaceKind)
+        return readContent(document, sketchSurfaceVersion, [&](const JsonReader &reader) {
+            document.sketchSurface =
+                std::make_shared<const SketchSurfaceDocument>(sketchSurfaceFromJson(reader, mArrays));
+        });
+    for (const DocumentKind &kind : mKinds) {
+        if (kind.name == document.kind)
+            return readContent(document, kind.version, [&](const JsonReader &reader) {
+                document.content = document.readContent = kind.read(reader, mArrays);
+            });
+    }
     return {};
 }
 
@@ -122,10 +142,8 @@ Result<void> ProjectParser::readDocument(const JsonReader &record)
     }
     if (!previewName.empty())
         document.preview = take(previewName);
-    if (document.kind == sketchSurfaceKind) {
-        if (Result<void> read = readSketchSurface(document); !read)
-            return read;
-    }
+    if (Result<void> read = readKnownKind(document); !read)
+        return read;
     mProject.documents.push_back(std::move(document));
     return {};
 }
@@ -191,7 +209,7 @@ try {
     if (!container)
         return container.error();
     return ProjectParser(std::move(*container), name,
-                         options.migrations ? *options.migrations : builtInMigrations())
+                         options.migrations ? *options.migrations : builtInMigrations(), options.kinds)
         .parse();
 } catch (const std::bad_alloc &) {
     return Error{ErrorCode::TooLarge, attempted, "there is not enough memory for this file", "", name};

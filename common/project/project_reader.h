@@ -15,6 +15,7 @@ struct ProjectReadOptions
 {
     ContainerLimits limits;
     const MigrationTable *migrations = nullptr; // null: the built-in ones
+    std::vector<DocumentKind> kinds = {}; // besides sketch surfaces; documents of others are kept unread
 };
 
 /// Reads a project held in memory. \a name (the file's) starts the places in errors. NewerVersion names the

@@ -3,6 +3,7 @@
 #include "project/container/container_writer.h"
 #include "project/container/entry_name.h"
 #include "project/documents/sketch_surface_json.h"
+#include "project/kept_buffers.h"
 
 #include <new>
 
@@ -45,6 +46,7 @@ public:
 private:
     Result<void> addDocument(const ProjectDocument &document);
     Result<StoredEntry> documentEntry(const ProjectDocument &document, const std::string &name);
+    Result<StoredEntry> originalEntry(const ProjectDocument &document, const std::string &name);
     void addBuffer(const std::string &hash, std::span<const std::byte> bytes);
 
     const Project &mProject;
@@ -68,19 +70,38 @@ void ProjectWriter::addBuffer(const std::string &hash, std::span<const std::byte
     }
 }
 
+// The document as it came, with the buffers it names.
+Result<StoredEntry> ProjectWriter::originalEntry(const ProjectDocument &document, const std::string &name)
+{
+    if (!document.original)
+        return writeError(ErrorCode::InvalidArgument, "the document has no content", name);
+    if (document.content) { // the buffers of unread documents are among the kept ones
+        const Result<Bytes> text = unpacked(*document.original, name);
+        if (!text)
+            return text.error();
+        const std::string_view view(reinterpret_cast<const char *>(text->data()), text->size());
+        for (const std::string &hash : mentionedBuffers(view, mProject.buffers))
+            addBuffer(hash, {});
+    }
+    return *document.original;
+}
+
 Result<StoredEntry> ProjectWriter::documentEntry(const ProjectDocument &document, const std::string &name)
 {
-    if (!document.sketchSurface || document.readOnly) {
-        if (!document.original)
-            return writeError(ErrorCode::InvalidArgument, "the document has no content", name);
-        return *document.original;
-    }
-    if (document.kind != sketchSurfaceKind)
+    const bool hasContent = document.sketchSurface || document.content;
+    const bool isAsRead = document.content && document.content == document.readContent && document.original;
+    if (!hasContent || document.readOnly || isAsRead)
+        return originalEntry(document, name);
+    if (document.kind != (document.content ? document.content->kind() : sketchSurfaceKind))
         return writeError(ErrorCode::InvalidArgument, "the content is not of the kind of the document", name);
-    if (Result<void> checked = checkSketchSurface(*document.sketchSurface, name); !checked)
+    if (Result<void> checked = document.content ? document.content->check(name)
+                                                : checkSketchSurface(*document.sketchSurface, name);
+        !checked)
         return checked.error();
     BufferPacker packer;
-    const OrderedJson json = sketchSurfaceToJson(*document.sketchSurface, document.id, packer);
+    const OrderedJson json = document.content
+                                 ? document.content->toJson(document.id, packer)
+                                 : sketchSurfaceToJson(*document.sketchSurface, document.id, packer);
     for (const auto &[hash, bytes] : packer.buffers()) {
         mArrayBytes += bytes.size();
         addBuffer(hash, bytes);

@@ -172,14 +172,20 @@ bool JsonReader::boolean(std::string_view key) const
 
 std::array<double, 3> JsonReader::triple(std::string_view key) const
 {
+    const std::vector<double> values = numbers(key, 3);
+    return {values[0], values[1], values[2]};
+}
+
+std::vector<double> JsonReader::numbers(std::string_view key, std::size_t count) const
+{
     const nlohmann::json *value = find(key);
     const auto isFinite = [](const nlohmann::json &v) {
         return v.is_number() && std::isfinite(v.get<double>());
     };
-    if (value->is_array() && value->size() == 3 && std::all_of(value->begin(), value->end(), isFinite))
-        return {(*value)[0].get<double>(), (*value)[1].get<double>(), (*value)[2].get<double>()};
-    failAt(key, kindProblem("an array of three numbers"));
-    return {};
+    if (value->is_array() && value->size() == count && std::all_of(value->begin(), value->end(), isFinite))
+        return value->get<std::vector<double>>();
+    failAt(key, kindProblem("an array of " + std::to_string(count) + " numbers"));
+    return std::vector<double>(count, 0.0);
 }
 
 std::vector<std::uint64_t> JsonReader::unsignedIntegers(std::string_view key, std::size_t maxCount) const

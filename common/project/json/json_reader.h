@@ -53,6 +53,8 @@ public:
     double number(std::string_view key, double min, double max) const;
     bool boolean(std::string_view key) const;
     std::array<double, 3> triple(std::string_view key) const;
+    /// Exactly \a count finite numbers.
+    std::vector<double> numbers(std::string_view key, std::size_t count) const;
     std::vector<std::uint64_t> unsignedIntegers(std::string_view key, std::size_t maxCount) const;
 
     /// The value whose name stands there; \a names pairs of name and value.
