@@ -9,41 +9,29 @@ namespace ductus {
 
 namespace {
 
-// Vertices within so many rings of those flagged.
-std::vector<char> grown(std::vector<char> flags, const MeshTopology &topology, int rings)
-{
-    for (int ring = 0; ring < rings; ++ring) {
-        std::vector<char> next = flags;
-        for (const MeshEdge &e : topology.edges)
-            if (flags[std::size_t(e.v0)] || flags[std::size_t(e.v1)])
-                next[std::size_t(e.v0)] = next[std::size_t(e.v1)] = 1;
-        flags = std::move(next);
-    }
-    return flags;
-}
-
 struct Terminals
 {
     std::vector<char> inside, outside;
     std::vector<char> edgeIsBoundary; // crossed by a boundary stroke
 };
 
-Terminals terminals(const MeshTopology &topology, const Association &association, const StrokeSet &strokes,
-                    const std::vector<char> &inPlane, const BoundaryTrimOptions &options)
+Terminals terminals(const MeshTopology &topology, const Association &association,
+                    const std::vector<char> &strokeIsBorder, const std::vector<char> &inPlane,
+                    const BoundaryTrimOptions &options)
 {
     Terminals t;
     const std::size_t vertexCount = association.pointsOfVertex.size();
     t.edgeIsBoundary.assign(topology.edges.size(), 0);
     std::vector<char> nearBoundary(vertexCount, 0);
     for (const StrokeSample &sample : association.samples)
-        if (strokes.strokes[std::size_t(sample.stroke)].role == StrokeRole::Boundary) {
+        if (strokeIsBorder[std::size_t(sample.stroke)]) {
             t.edgeIsBoundary[std::size_t(sample.edge)] = 1;
             nearBoundary[std::size_t(topology.edges[std::size_t(sample.edge)].v0)] = 1;
             nearBoundary[std::size_t(topology.edges[std::size_t(sample.edge)].v1)] = 1;
         }
     const bool isMarked = std::find(nearBoundary.begin(), nearBoundary.end(), 1) != nearBoundary.end();
     if (isMarked)
-        nearBoundary = grown(nearBoundary, topology, options.clearanceRings);
+        nearBoundary = grownByRings(nearBoundary, topology, options.clearanceRings);
     t.inside.assign(vertexCount, 0);
     for (std::size_t v = 0; v < vertexCount; ++v)
         t.inside[v] = !association.pointsOfVertex[v].empty() && !nearBoundary[v];
@@ -53,22 +41,24 @@ Terminals terminals(const MeshTopology &topology, const Association &association
     return t;
 }
 
-} // namespace
-
-Result<TriangleMesh> trimmed(const TriangleMesh &proxy, const MeshTopology &topology, const Association &association,
-                             const StrokeSet &strokes, const std::vector<char> &inPlane,
-                             const BoundaryTrimOptions &options, const JobControl &control)
+bool any(const std::vector<char> &flags)
 {
-    const Terminals t = terminals(topology, association, strokes, inPlane, options);
-    if (std::find(t.outside.begin(), t.outside.end(), 1) == t.outside.end())
-        return proxy;
+    return std::find(flags.begin(), flags.end(), 1) != flags.end();
+}
 
-    LabelingProblem cut; // label 0: inside, 1: outside
+// The shortest cut: 0 inside, 1 outside, one a vertex.
+Result<std::vector<int>> shortestCut(const TriangleMesh &proxy, const MeshTopology &topology,
+                                     const Terminals &t, const BoundaryTrimOptions &options,
+                                     const JobControl &control)
+{
+    LabelingProblem cut;
     cut.vertexCount = proxy.vertexCount();
     for (std::size_t e = 0; e < topology.edges.size(); ++e) {
         const MeshEdge &edge = topology.edges[e];
-        const double length = (proxy.vertices[std::size_t(edge.v0)] - proxy.vertices[std::size_t(edge.v1)]).norm();
-        cut.edges.push_back({edge.v0, edge.v1, t.edgeIsBoundary[e] ? length * options.crossedByBoundary : length});
+        const double length =
+            (proxy.vertices[std::size_t(edge.v0)] - proxy.vertices[std::size_t(edge.v1)]).norm();
+        cut.edges.push_back(
+            {edge.v0, edge.v1, t.edgeIsBoundary[e] ? length * options.crossedByBoundary : length});
     }
     double forbidden = 1.0;
     for (const LabelingEdge &e : cut.edges)
@@ -83,9 +73,46 @@ Result<TriangleMesh> trimmed(const TriangleMesh &proxy, const MeshTopology &topo
     const Result<Labeling> labeling = alphaExpansion(cut, {}, std::vector<int>(t.inside.size(), 0), control);
     if (!labeling)
         return labeling.error();
+    return labeling->labels;
+}
+
+std::vector<char> strokesMarkedBoundary(const StrokeSet &strokes)
+{
+    std::vector<char> marked;
+    for (const Stroke &stroke : strokes.strokes)
+        marked.push_back(stroke.role == StrokeRole::Boundary);
+    return marked;
+}
+
+} // namespace
+
+Result<TrimmedProxy> trimmed(const TriangleMesh &proxy, const MeshTopology &topology,
+                             const Association &association, const StrokeSet &strokes,
+                             const std::vector<char> &inPlane, const BoundaryTrimOptions &options,
+                             const JobControl &control)
+{
+    std::vector<char> strokeIsBorder = strokesMarkedBoundary(strokes);
+    Terminals t = terminals(topology, association, strokeIsBorder, inPlane, options);
+    if (!any(t.outside))
+        return TrimmedProxy{proxy, {}};
+    Result<std::vector<int>> side = shortestCut(proxy, topology, t, options, control);
+    if (!side)
+        return side.error();
+    if (!any(strokeIsBorder)) {
+        std::vector<char> isBeyond = t.outside;
+        for (std::size_t v = 0; v < isBeyond.size(); ++v)
+            isBeyond[v] = isBeyond[v] || (*side)[v] == 1;
+        strokeIsBorder = strokesAlongBorder(topology, association, strokes, isBeyond, options.borderStrokes);
+        if (any(strokeIsBorder)) {
+            t = terminals(topology, association, strokeIsBorder, inPlane, options);
+            side = shortestCut(proxy, topology, t, options, control);
+            if (!side)
+                return side.error();
+        }
+    }
 
     const SeamedMesh seamed =
-        insertSeams(proxy, topology, labeling->labels, strokeCutPositions(proxy, topology, association));
+        insertSeams(proxy, topology, *side, strokeCutPositions(proxy, topology, association));
     TriangleMesh inside = seamed.mesh;
     inside.triangles.clear();
     for (std::size_t i = 0; i < seamed.mesh.triangles.size(); ++i)
@@ -95,7 +122,11 @@ Result<TriangleMesh> trimmed(const TriangleMesh &proxy, const MeshTopology &topo
         return Error{ErrorCode::NoSolution, "Trimming the open surface",
                      "the boundary strokes enclose nothing on the proxy",
                      "Mark the strokes along the border of the surface, and no others, as boundary", ""};
-    return compacted(inside);
+    TrimmedProxy result{compacted(inside), {}};
+    for (std::size_t s = 0; s < strokeIsBorder.size(); ++s)
+        if (strokeIsBorder[s])
+            result.borderStrokes.strokes.push_back(strokes.strokes[s]);
+    return result;
 }
 
 std::vector<double> strokeCutPositions(const TriangleMesh &mesh, const MeshTopology &topology,

@@ -12,14 +12,28 @@ namespace {
 constexpr int cells = 30;
 const Vec3 centre(0.52, 0.49, 0.0);
 
-Stroke circle(double radius, StrokeRole role)
+Stroke arc(double radius, double from, double to, StrokeRole role = StrokeRole::Surface)
 {
     Stroke stroke;
     stroke.role = role;
     for (int i = 0; i <= 400; ++i) {
-        const double u = 2.0 * std::numbers::pi * i / 400;
+        const double u = from + (to - from) * i / 400;
         stroke.points.push_back(centre + radius * Vec3(std::cos(u), std::sin(u), 0.0));
     }
+    return stroke;
+}
+
+Stroke circle(double radius, StrokeRole role)
+{
+    return arc(radius, 0.0, 2.0 * std::numbers::pi, role);
+}
+
+Stroke ray(double angle, double from, double to)
+{
+    Stroke stroke;
+    for (int i = 0; i <= 100; ++i)
+        stroke.points.push_back(centre +
+                                (from + (to - from) * i / 100) * Vec3(std::cos(angle), std::sin(angle), 0.0));
     return stroke;
 }
 
@@ -35,9 +49,11 @@ struct Scene
         : mesh(proxy), topology(proxy)
     {
         strokes.strokes = std::move(drawn);
+        for (std::size_t s = 0; s < strokes.strokes.size(); ++s)
+            strokes.strokes[s].id.value = int(s);
         association = *associate(strokes, mesh, topology, {}, {});
     }
-    Result<TriangleMesh> trim(const std::vector<char> &inPlane = {}, const JobControl &control = {}) const
+    Result<TrimmedProxy> trim(const std::vector<char> &inPlane = {}, const JobControl &control = {}) const
     {
         return trimmed(mesh, topology, association, strokes, inPlane, {}, control);
     }
@@ -62,6 +78,7 @@ class BoundaryTrimTest : public QObject
 private slots:
     void cutsAlongTheBoundaryStroke();
     void unmarkedSketchKeepsWhatItsStrokesEnclose();
+    void unmarkedSketchEndsAtItsOutline();
     void closedProxyIsUnchanged();
     void bordersInTheSymmetryPlaneAreKept();
     void nothingInsideIsRefused();
@@ -75,33 +92,59 @@ void BoundaryTrimTest::cutsAlongTheBoundaryStroke()
     const Scene scene({circle(0.35, StrokeRole::Boundary), circle(0.12, StrokeRole::Surface)});
     const auto inside = scene.trim();
     QVERIFY(inside.ok());
-    const ManifoldReport report = manifoldReport(*inside);
+    const ManifoldReport report = manifoldReport(inside->mesh);
     QVERIFY(report.isManifold());
     QCOMPARE(report.components, 1);
-    QCOMPARE(inside->vertexCount() - int(MeshTopology(*inside).edges.size()) + inside->triangleCount(),
+    QCOMPARE(inside->mesh.vertexCount() - int(MeshTopology(inside->mesh).edges.size()) +
+                 inside->mesh.triangleCount(),
              1); // a disk
-    QVERIFY2(borderOffCircle(*inside, 0.35) < 0.6 / cells,
-             qPrintable(QString::number(borderOffCircle(*inside, 0.35))));
-    QVERIFY(std::abs(surfaceArea(*inside) / (std::numbers::pi * 0.35 * 0.35) - 1.0) < 0.03);
-    for (int t = 0; t < inside->triangleCount(); ++t)
-        QVERIFY(inside->areaVector(t).z() > 0.0);
+    QVERIFY2(borderOffCircle(inside->mesh, 0.35) < 0.6 / cells,
+             qPrintable(QString::number(borderOffCircle(inside->mesh, 0.35))));
+    QVERIFY(std::abs(surfaceArea(inside->mesh) / (std::numbers::pi * 0.35 * 0.35) - 1.0) < 0.03);
+    for (int t = 0; t < inside->mesh.triangleCount(); ++t)
+        QVERIFY(inside->mesh.areaVector(t).z() > 0.0);
 }
 
 void BoundaryTrimTest::unmarkedSketchKeepsWhatItsStrokesEnclose()
 {
-    const Scene scene({circle(0.35, StrokeRole::Surface), circle(0.12, StrokeRole::Surface)});
+    // Nothing outlines these: rays from the middle.
+    std::vector<Stroke> rays;
+    for (int k = 0; k < 12; ++k)
+        rays.push_back(ray(std::numbers::pi * k / 6, 0.05, 0.35));
+    const Scene scene(rays);
     const auto inside = scene.trim();
     QVERIFY(inside.ok());
-    QVERIFY(manifoldReport(*inside).isManifold());
-    QCOMPARE(manifoldReport(*inside).components, 1);
+    QVERIFY(manifoldReport(inside->mesh).isManifold());
+    QCOMPARE(manifoldReport(inside->mesh).components, 1);
+    QVERIFY(inside->borderStrokes.strokes.empty());
     // Everything a stroke lies on is there, and little beyond: the shortest way along a grid's edges around a
     // disk is anything up to the polygon whose sides have the directions of the edges.
-    const std::vector<char> border = MeshTopology(*inside).borderVertices();
-    for (std::size_t v = 0; v < border.size(); ++v)
-        if (border[v])
-            QVERIFY((inside->vertices[v] - centre).norm() > 0.35 - 1.0 / cells);
-    QVERIFY(surfaceArea(*inside) > std::numbers::pi * 0.35 * 0.35 * 0.99);
-    QVERIFY2(surfaceArea(*inside) < 0.59, qPrintable(QString::number(surfaceArea(*inside))));
+    QVERIFY(surfaceArea(inside->mesh) > std::numbers::pi * 0.35 * 0.35 * 0.9);
+    QVERIFY2(surfaceArea(inside->mesh) < 0.59, qPrintable(QString::number(surfaceArea(inside->mesh))));
+}
+
+void BoundaryTrimTest::unmarkedSketchEndsAtItsOutline()
+{
+    // The outline in three strokes with gaps, strokes across it that end a little too far, a rivet beside it.
+    std::vector<Stroke> strokes{arc(0.35, 0.1, 2.0), arc(0.35, 2.1, 4.1), arc(0.35, 4.2, 6.3),
+                                circle(0.15, StrokeRole::Surface)};
+    for (int k = 0; k < 8; ++k)
+        strokes.push_back(ray(std::numbers::pi * k / 4, 0.02, 0.37 + 0.004 * k));
+    Stroke rivet = circle(0.02, StrokeRole::Surface);
+    for (Vec3 &p : rivet.points)
+        p.x() += 0.3;
+    strokes.push_back(rivet);
+    const Scene scene(strokes);
+    const auto inside = scene.trim();
+    QVERIFY(inside.ok());
+    QVERIFY(manifoldReport(inside->mesh).isManifold());
+    std::vector<int> border;
+    for (const Stroke &stroke : inside->borderStrokes.strokes)
+        border.push_back(stroke.id.value);
+    QCOMPARE(border, (std::vector<int>{0, 1, 2}));
+    QVERIFY2(borderOffCircle(inside->mesh, 0.35) < 1.0 / cells,
+             qPrintable(QString::number(borderOffCircle(inside->mesh, 0.35))));
+    QVERIFY(std::abs(surfaceArea(inside->mesh) / (std::numbers::pi * 0.35 * 0.35) - 1.0) < 0.03);
 }
 
 void BoundaryTrimTest::closedProxyIsUnchanged()
@@ -114,8 +157,8 @@ void BoundaryTrimTest::closedProxyIsUnchanged()
     const Scene scene({stroke}, ball);
     const auto result = scene.trim();
     QVERIFY(result.ok());
-    QVERIFY(result->vertices == ball.vertices);
-    QVERIFY(result->triangles == ball.triangles);
+    QVERIFY(result->mesh.vertices == ball.vertices);
+    QVERIFY(result->mesh.triangles == ball.triangles);
 }
 
 void BoundaryTrimTest::bordersInTheSymmetryPlaneAreKept()
@@ -137,11 +180,12 @@ void BoundaryTrimTest::bordersInTheSymmetryPlaneAreKept()
         inPlane.push_back(p.x() == 0.0);
     const auto inside = scene.trim(inPlane);
     QVERIFY(inside.ok());
-    QVERIFY(std::abs(surfaceArea(*inside) / (0.5 * std::numbers::pi * 0.35 * 0.35) - 1.0) < 0.06);
+    QVERIFY(std::abs(surfaceArea(inside->mesh) / (0.5 * std::numbers::pi * 0.35 * 0.35) - 1.0) < 0.06);
     double length = 0.0; // of the border that lies in the plane
-    for (const MeshEdge &e : MeshTopology(*inside).edges)
-        if (e.faceCount == 1 && inside->vertices[e.v0].x() == 0.0 && inside->vertices[e.v1].x() == 0.0)
-            length += (inside->vertices[e.v0] - inside->vertices[e.v1]).norm();
+    for (const MeshEdge &e : MeshTopology(inside->mesh).edges)
+        if (e.faceCount == 1 && inside->mesh.vertices[e.v0].x() == 0.0 &&
+            inside->mesh.vertices[e.v1].x() == 0.0)
+            length += (inside->mesh.vertices[e.v0] - inside->mesh.vertices[e.v1]).norm();
     QVERIFY2(std::abs(length - 0.7) < 2.0 / cells, qPrintable(QString::number(length)));
 }
 

@@ -12,6 +12,13 @@ namespace ductus {
 
 namespace {
 
+Vec3 nearestOnSegment(const Vec3 &p, const Vec3 &a, const Vec3 &b)
+{
+    const double squaredLength = (b - a).squaredNorm();
+    return squaredLength > 0.0 ? Vec3(a + std::clamp((p - a).dot(b - a) / squaredLength, 0.0, 1.0) * (b - a))
+                               : a;
+}
+
 void measureDeviation(const StrokeSet &unitStrokes, const TriangleMesh &unitMesh, SurfaceResult &result)
 {
     const NearestOnMesh nearest(unitMesh);
@@ -72,37 +79,36 @@ std::vector<int> wholeRegions(const SeamedMesh &seamed, bool isMirrored, const s
     return regions;
 }
 
-std::vector<BorderAttraction> borderTargets(const TriangleMesh &mesh, const StrokeSet &strokes,
+std::vector<BorderAttraction> borderTargets(const TriangleMesh &mesh, const StrokeSet &borderStrokes,
                                             const std::vector<char> &inPlane)
 {
     const std::vector<char> border = MeshTopology(mesh).borderVertices();
     const double reach = 3.0 * meanEdgeLength(mesh);
-    std::vector<Vec3> points;
-    for (const Stroke &stroke : strokes.strokes)
-        if (stroke.role == StrokeRole::Surface || stroke.role == StrokeRole::Boundary)
-            points.insert(points.end(), stroke.points.begin(), stroke.points.end());
     std::vector<BorderAttraction> targets;
     for (std::size_t v = 0; v < border.size(); ++v) {
         if (!border[v] || (!inPlane.empty() && inPlane[v]))
             continue;
+        const Vec3 &place = mesh.vertices[v];
         double best = reach;
-        BorderAttraction target{int(v), mesh.vertices[v]};
-        for (const Vec3 &p : points) {
-            const double distance = (p - mesh.vertices[v]).norm();
-            if (distance < best) {
-                best = distance;
-                target.target = p;
+        BorderAttraction target{int(v), place};
+        for (const Stroke &stroke : borderStrokes.strokes)
+            for (std::size_t i = 0; i + 1 < stroke.points.size(); ++i) {
+                const Vec3 p = nearestOnSegment(place, stroke.points[i], stroke.points[i + 1]);
+                if ((p - place).norm() < best) {
+                    best = (p - place).norm();
+                    target.target = p;
+                }
             }
-        }
-        targets.push_back(target); // where no stroke is near, the trimmed border stays where it is
+        if (best < reach) // elsewhere the border is free: pinned, it would keep the teeth of the cut
+            targets.push_back(target);
     }
     return targets;
 }
 
 void finishSurface(const StrokeSet &input, const UnitFrame &frame, const SeamedMesh &seamed,
                    const OptimizedMesh &optimized, const std::optional<SymmetryPlane> &plane,
-                   const std::vector<char> &inPlane, const Association &association, const StrokeSet &unitStrokes,
-                   SurfaceResult &result)
+                   const std::vector<char> &inPlane, const Association &association,
+                   const StrokeSet &unitStrokes, SurfaceResult &result)
 {
     result.triangleRegions =
         wholeRegions(seamed, plane.has_value(), inPlane, int(result.segmentation.models.size()));
@@ -139,17 +145,20 @@ void finishSurface(const StrokeSet &input, const UnitFrame &frame, const SeamedM
             : *std::max_element(result.triangleRegions.begin(), result.triangleRegions.end()) + 1;
     result.regions.resize(std::size_t(regionCount));
     for (std::size_t t = 0; t < result.mesh.triangles.size(); ++t)
-        result.regions[std::size_t(result.triangleRegions[t])].area += 0.5 * result.mesh.areaVector(int(t)).norm();
+        result.regions[std::size_t(result.triangleRegions[t])].area +=
+            0.5 * result.mesh.areaVector(int(t)).norm();
     for (std::size_t t = 0; t < seamed.triangleLabels.size(); ++t) {
         const int degree = result.segmentation.models[std::size_t(seamed.triangleLabels[t])].degree;
         result.regions[std::size_t(result.triangleRegions[t])].degree = degree;
         if (plane)
-            result.regions[std::size_t(result.triangleRegions[t + seamed.triangleLabels.size()])].degree = degree;
+            result.regions[std::size_t(result.triangleRegions[t + seamed.triangleLabels.size()])].degree =
+                degree;
     }
     if (!result.proxy.remarks.empty() && result.proxy.kind == ProxyKind::Wrap)
-        result.warnings.push_back("The smooth proxy was not usable (" + result.proxy.remarks +
-                                  "); a wrap around the strokes was used. A proxy mesh of your own may give a better "
-                                  "surface.");
+        result.warnings.push_back(
+            "The smooth proxy was not usable (" + result.proxy.remarks +
+            "); a wrap around the strokes was used. A proxy mesh of your own may give a better "
+            "surface.");
     if (!association.unreachedStrokes.empty())
         result.warnings.push_back(std::to_string(association.unreachedStrokes.size()) +
                                   " strokes lie too far from the proxy and were left out.");

@@ -88,7 +88,7 @@ Result<void> prepareAssociation(SurfacingState &state, const JobControl &control
     Stopwatch watch;
     const PreparedSketch &sketch = *state.sketch;
     const SurfaceOptions &options = state.options;
-    auto proxy = std::make_shared<const PreparedProxy>(*state.roughProxy);
+    auto proxy = std::make_shared<const PreparedProxy>(*state.roughProxy, StrokeSet());
     Result<Association> association =
         associate(sketch.strokes, proxy->proxy.mesh, proxy->topology, options.association, control);
     if (!association)
@@ -97,13 +97,13 @@ Result<void> prepareAssociation(SurfacingState &state, const JobControl &control
         const TriangleMesh &mesh = proxy->proxy.mesh;
         const std::vector<char> inPlane =
             sketch.plane ? verticesInPlane(mesh, *sketch.plane) : std::vector<char>();
-        Result<TriangleMesh> inside =
+        Result<TrimmedProxy> inside =
             trimmed(mesh, proxy->topology, *association, sketch.strokes, inPlane, options.trim, control);
         if (!inside)
             return inside.error();
         Proxy cut = proxy->proxy;
-        cut.mesh = std::move(*inside);
-        proxy = std::make_shared<const PreparedProxy>(std::move(cut));
+        cut.mesh = std::move(inside->mesh);
+        proxy = std::make_shared<const PreparedProxy>(std::move(cut), std::move(inside->borderStrokes));
         association =
             associate(sketch.strokes, proxy->proxy.mesh, proxy->topology, options.association, control);
         if (!association)

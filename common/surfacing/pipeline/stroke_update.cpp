@@ -67,6 +67,16 @@ Reach reachOf(const SurfacingState &state, const std::vector<Vec3> &added, doubl
     return reach;
 }
 
+// Whether a stroke went that was found to border the surface.
+bool hasBorderOf(const SurfacingState &before, const StrokeDifference &change)
+{
+    for (const Stroke &border : before.proxy->borderStrokes.strokes)
+        for (const Stroke &removed : change.removed)
+            if (border.id == removed.id)
+                return true;
+    return false;
+}
+
 std::string refusalOf(const SurfacingState &before, const StrokeSet &strokes, const StrokeDifference &change,
                       const StrokeUpdateOptions &options)
 {
@@ -79,7 +89,7 @@ std::string refusalOf(const SurfacingState &before, const StrokeSet &strokes, co
     if (std::abs(growth - 1.0) > options.largestGrowth)
         return "the sketch has another size now";
     // Border strokes decide where an open surface ends, or whether it is open.
-    if (change.hasBoundaryStrokes())
+    if (change.hasBoundaryStrokes() || hasBorderOf(before, change))
         return "boundary strokes have changed";
     return "";
 }
@@ -105,7 +115,7 @@ Result<void> attractProxy(SurfacingState &state, const std::vector<Vec3> &change
     if (!trimmed)
         return trimmed.error();
     state.roughProxy = std::make_shared<const Proxy>(std::move(*rough));
-    state.proxy = std::make_shared<const PreparedProxy>(std::move(*trimmed));
+    state.proxy = std::make_shared<const PreparedProxy>(std::move(*trimmed), state.proxy->borderStrokes);
     state.proxyInInput = proxyToShow(state);
     return {};
 }

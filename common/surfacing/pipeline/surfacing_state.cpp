@@ -55,7 +55,8 @@ LabelPreview previewOf(const SurfacingState &state)
 
 } // namespace
 
-PreparedProxy::PreparedProxy(Proxy made) : proxy(std::move(made)), topology(proxy.mesh), nearest(proxy.mesh)
+PreparedProxy::PreparedProxy(Proxy made, StrokeSet bordered)
+    : proxy(std::move(made)), topology(proxy.mesh), nearest(proxy.mesh), borderStrokes(std::move(bordered))
 {
 }
 
@@ -112,9 +113,10 @@ Result<SurfacingState> extractSurface(const SurfacingState &labelled, const Surf
     const PreparedSketch &sketch = *state.sketch;
     const SeamedMesh &seamed = *state.seamed;
     const std::vector<char> inPlane = planeVertices(seamed.mesh, sketch.plane);
-    Result<OptimizedMesh> optimized = optimizeMesh(seamed, state.labels->segmentation.models,
-                                                   borderTargets(seamed.mesh, sketch.strokes, inPlane),
-                                                   sketch.plane, inPlane, options.extraction, control);
+    Result<OptimizedMesh> optimized =
+        optimizeMesh(seamed, state.labels->segmentation.models,
+                     borderTargets(seamed.mesh, state.proxy->borderStrokes, inPlane), sketch.plane, inPlane,
+                     options.extraction, control);
     if (!optimized)
         return optimized.error();
     state.optimized = std::make_shared<const OptimizedMesh>(std::move(*optimized));

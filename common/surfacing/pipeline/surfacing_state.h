@@ -36,11 +36,12 @@ struct PreparedSketch
 /// The proxy as the solver sees it.
 struct PreparedProxy
 {
-    explicit PreparedProxy(Proxy made);
+    PreparedProxy(Proxy made, StrokeSet bordered);
 
     Proxy proxy; // unit frame, only the solved half, trimmed
     MeshTopology topology;
     NearestOnMesh nearest;
+    StrokeSet borderStrokes; // unit frame; an open surface ends along these
 };
 
 /// Regions on the proxy, to be shown while the final mesh is still being made.
