@@ -1,0 +1,143 @@
+#include "layerpainter/document/import_file.h"
+
+#include "formats/mesh_file.h"
+#include "painting/edit/element_edits.h"
+#include "painting/edit/layer_edits.h"
+#include "painting/import/painting_import.h"
+#include "painting/scene/painting_check.h"
+#include "project/project_reader.h"
+
+#include <algorithm>
+
+namespace ductus {
+
+namespace {
+
+const Eigen::Vector3f clay(0.52f, 0.47f, 0.42f); // linear; light enough for shadows and highlights to show
+
+std::string lowerExtension(const std::filesystem::path &path)
+{
+    std::string extension = path.extension().string();
+    std::ranges::transform(extension, extension.begin(),
+                           [](unsigned char c) { return char(std::tolower(c)); });
+    return extension;
+}
+
+bool isPaintingFile(const std::filesystem::path &path)
+{
+    std::error_code ignored;
+    const std::string extension = lowerExtension(path);
+    return extension == ".quill" || extension == ".tilt" || extension == ".json" ||
+           std::filesystem::is_directory(path, ignored);
+}
+
+std::string nameOf(const std::filesystem::path &path)
+{
+    const bool isQuillJson = path.filename() == "Quill.json" && path.has_parent_path();
+    const std::filesystem::path named = isQuillJson ? path.parent_path() : path;
+    const std::string name = named.stem().string();
+    return name.empty() ? named.parent_path().filename().string() : name;
+}
+
+Result<void> addMeshStack(Painting &painting, const std::string &name, TriangleMesh mesh)
+{
+    const Result<AddedStack> stack = addStack(painting, name);
+    if (!stack)
+        return stack.error();
+    MeshShape shape{std::move(mesh), {}};
+    shape.vertexColours.assign(shape.mesh.vertices.size(), clay);
+    Result<AddedElements> added = addElements(stack->painting, stack->substrate,
+                                              {std::make_shared<const ElementShape>(std::move(shape))});
+    if (!added)
+        return added.error();
+    painting = std::move(added->painting);
+    return {};
+}
+
+Error placed(Error error, const std::filesystem::path &path)
+{
+    if (error.place.find(path.filename().string()) == std::string::npos)
+        error.place = path.string() + (error.place.empty() ? "" : ": " + error.place);
+    return error;
+}
+
+Result<ImportedFile> importPaintingFile(const std::filesystem::path &path, const FileImportOptions &options,
+                                        const JobControl &control)
+{
+    PaintingReadOptions reading;
+    reading.firstFrameOnly = options.firstFrameOnly;
+    const Result<PaintingFile> file = readPainting(path, reading, control.part(0.0, 0.8));
+    if (!file)
+        return file.error();
+    control.progress(0.8, "Making stacks of the layers");
+    Result<ImportedPainting> imported = importPainting(*file);
+    if (!imported)
+        return placed(imported.error(), path);
+    if (imported->painting.stacks.empty())
+        return Error{ErrorCode::TooLittleData, "Importing the painting", "no layer of it holds strokes",
+                     "Choose a file with painted layers", path.string()};
+    return ImportedFile{std::move(imported->painting),
+                        file->kind == PaintingFileKind::Quill ? "quill" : "tilt", nameOf(path), file->report,
+                        std::move(imported->notes)};
+}
+
+Result<ImportedFile> importMesh(const std::filesystem::path &path, const JobControl &control)
+{
+    Result<TriangleMesh> mesh = readMesh(path, control);
+    if (!mesh)
+        return mesh.error();
+    ImportedFile imported{{}, "mesh", nameOf(path), {}, {}};
+    if (const Result<void> added = addMeshStack(imported.painting, imported.name, std::move(*mesh)); !added)
+        return placed(added.error(), path);
+    imported.notes.push_back("the mesh is clay-coloured: colours and textures of mesh files are not read");
+    return imported;
+}
+
+Result<ImportedFile> importSurfaces(const std::filesystem::path &path)
+{
+    const Result<Project> project = openProject(path);
+    if (!project)
+        return placed(project.error(), path);
+    ImportedFile imported{{}, "sketch-surface", nameOf(path), {}, {}};
+    for (const ProjectDocument &document : project->documents) {
+        if (!document.sketchSurface)
+            continue;
+        if (!document.sketchSurface->surface) {
+            imported.notes.push_back("the sketch \"" + document.name + "\" has no finished surface");
+            continue;
+        }
+        imported.painting.metresPerUnit = document.sketchSurface->strokes.metresPerUnit;
+        const std::string name = document.name.empty() ? imported.name : document.name;
+        if (const Result<void> added =
+                addMeshStack(imported.painting, name, document.sketchSurface->surface->mesh);
+            !added)
+            return placed(added.error(), path);
+    }
+    if (imported.painting.stacks.empty())
+        return Error{ErrorCode::TooLittleData, "Importing the surface",
+                     "the project holds no finished surface",
+                     "Surface the sketch in SketchSurfacer and save it", path.string()};
+    return imported;
+}
+
+} // namespace
+
+Result<ImportedFile> importFile(const std::filesystem::path &path, const FileImportOptions &options,
+                                const JobControl &control)
+{
+    std::error_code ignored;
+    if (!std::filesystem::exists(path, ignored))
+        return Error{ErrorCode::FileNotFound, "Importing the painting", "there is no such file",
+                     "Check the name", path.string()};
+    if (lowerExtension(path) == ".ductus")
+        return importSurfaces(path);
+    return isPaintingFile(path) ? importPaintingFile(path, options, control) : importMesh(path, control);
+}
+
+bool isImportable(const std::filesystem::path &path)
+{
+    static const std::string meshes[] = {".obj", ".ply", ".stl", ".off", ".glb"};
+    return isPaintingFile(path) || std::ranges::find(meshes, lowerExtension(path)) != std::end(meshes);
+}
+
+} // namespace ductus

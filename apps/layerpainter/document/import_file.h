@@ -1,0 +1,34 @@
+// Other programs' files as paintings: Quill and .tilt paintings, meshes, surfaces of SketchSurfacer.
+#pragma once
+
+#include "base/job_control.h"
+#include "formats/painting_file.h"
+#include "painting/scene/painting.h"
+
+#include <filesystem>
+
+namespace ductus {
+
+struct ImportedFile
+{
+    Painting painting;
+    std::string kind;            // "quill", "tilt", "mesh", "sketch-surface"
+    std::string name;            // of the painting, from the file's
+    PaintingImportReport report; // of Quill and .tilt: what was read and what was skipped
+    std::vector<std::string> notes;
+};
+
+struct FileImportOptions
+{
+    bool firstFrameOnly = false; // of frame-by-frame layers
+};
+
+/// Quill folder, Quill.json or .quill; .tilt; OBJ, PLY, STL, OFF, GLB (one stack, clay colour); .ductus (each
+/// finished surface a stack). Errors name file, place and remedy; nothing is half imported.
+Result<ImportedFile> importFile(const std::filesystem::path &path, const FileImportOptions &options,
+                                const JobControl &control);
+
+/// True for files (and Quill folders) importFile() reads by their name; .ductus is not among them.
+bool isImportable(const std::filesystem::path &path);
+
+} // namespace ductus
