@@ -3,6 +3,7 @@
 
 #include "painting/scene/painting_check.h"
 #include "painting/storage/painting_names.h"
+#include "painting/storage/property_json.h"
 #include "painting/storage/shape_blocks.h"
 #include "painting/storage/unknown_places.h"
 
@@ -16,34 +17,14 @@ constexpr double largest = std::numeric_limits<double>::max();
 constexpr double smallestPositive = std::numeric_limits<double>::denorm_min();
 constexpr std::int64_t largestId = std::numeric_limits<std::int32_t>::max();
 
-Vec3 readTriple(const JsonReader &reader, std::string_view key)
-{
-    const std::array<double, 3> values = reader.triple(key);
-    return {values[0], values[1], values[2]};
-}
-
-Eigen::Quaterniond readRotation(const JsonReader &reader)
-{
-    const std::vector<double> q = reader.numbers("rotation", 4);
-    return {q[3], q[0], q[1], q[2]};
-}
-
-Placement readPlacement(const JsonReader &owner)
-{
-    const JsonReader reader = owner.member("placement");
-    Placement placement;
-    placement.rotation = readRotation(reader);
-    placement.scale = reader.number("scale", smallestPositive, largest);
-    placement.mirrored = reader.boolean("mirrored");
-    placement.translation = readTriple(reader, "translation");
-    return placement;
-}
-
 class PaintingParser
 {
 public:
     PaintingParser(const JsonReader &reader, ArrayLoader &arrays, UnknownPaintingMembers &unknown)
-        : mReader(reader), mArrays(arrays), mUnknown(unknown)
+        : mReader(reader), mArrays(arrays), mUnknown(unknown),
+          mProperties(&unknown, [&arrays](const JsonReader &owner, std::string_view key) {
+              return arrays.load<std::uint8_t>(owner, key, 1);
+          })
     {
     }
 
@@ -53,8 +34,7 @@ private:
     void keep(const JsonReader &object, const std::string &place,
               std::initializer_list<std::string_view> known)
     {
-        if (UnknownMembers members = object.unknown(known); !members.empty())
-            mUnknown.emplace(place, std::move(members));
+        mProperties.keep(object, place, known);
     }
 
     // Calls \a read for the elements of an array until something is wrong.
@@ -75,11 +55,6 @@ private:
     Layer readLayer(const JsonReader &reader);
     Drawing readDrawing(const JsonReader &reader, const std::string &place);
     LayerFrames readFrames(const JsonReader &reader, const std::string &place);
-    LayerProperties readProperties(const JsonReader &reader, const std::string &place);
-    Mask readMask(const JsonReader &reader, const std::string &place);
-    TextureMask readTexture(const JsonReader &reader);
-    std::vector<PlacementKey> readKeys(const JsonReader &owner, std::string_view key,
-                                       const std::string &place);
     Look readLook(const JsonReader &reader);
     MotionGroup readGroup(const JsonReader &reader);
     CameraPath readCamera(const JsonReader &reader);
@@ -89,75 +64,9 @@ private:
     const JsonReader &mReader;
     ArrayLoader &mArrays;
     UnknownPaintingMembers &mUnknown;
+    PropertyJsonReader mProperties;
     std::vector<std::shared_ptr<const ElementShape>> mShapes;
 };
-
-TextureMask PaintingParser::readTexture(const JsonReader &reader)
-{
-    TextureMask mask;
-    mask.placement = readPlacement(reader);
-    mask.width = int(reader.integer("width", 1, 4096));
-    mask.height = int(reader.integer("height", 1, 4096));
-    mask.depth = int(reader.integer("depth", 1, 4096));
-    mask.values =
-        std::make_shared<const std::vector<std::uint8_t>>(mArrays.load<std::uint8_t>(reader, "values", 1));
-    return mask;
-}
-
-Mask PaintingParser::readMask(const JsonReader &reader, const std::string &place)
-{
-    Mask mask;
-    mask.enabled = reader.boolean("enabled");
-    mask.inverted = reader.boolean("inverted");
-    switch (reader.oneOf<MaskKind>("kind", maskKindNames)) {
-    case MaskKind::Gradient:
-        mask.shape = GradientMask{reader.oneOf<GradientMask::Shape>("shape", gradientNames),
-                                  readTriple(reader, "start"),
-                                  readTriple(reader, "end"),
-                                  reader.number("opacityAtStart", 0, 1),
-                                  reader.number("opacityAtEnd", 0, 1),
-                                  reader.oneOf<MaskEasing>("easing", easingNames)};
-        keep(reader, place,
-             {"kind", "enabled", "inverted", "shape", "start", "end", "opacityAtStart", "opacityAtEnd",
-              "easing"});
-        break;
-    case MaskKind::Noise:
-        mask.shape = NoiseMask{reader.number("cellSize", smallestPositive, largest),
-                               reader.unsignedInteger("seed"),
-                               reader.number("threshold", 0, 1),
-                               reader.number("softness", 0, 1),
-                               reader.number("low", 0, 1),
-                               reader.number("high", 0, 1)};
-        keep(reader, place,
-             {"kind", "enabled", "inverted", "cellSize", "seed", "threshold", "softness", "low", "high"});
-        break;
-    case MaskKind::Texture:
-        mask.shape = readTexture(reader);
-        keep(reader, place,
-             {"kind", "enabled", "inverted", "placement", "width", "height", "depth", "values"});
-        break;
-    case MaskKind::Strokes:
-        mask.shape = StrokeMask{LayerId{readId(reader, "layer")}, reader.boolean("inside")};
-        keep(reader, place, {"kind", "enabled", "inverted", "layer", "inside"});
-        break;
-    }
-    return mask;
-}
-
-LayerProperties PaintingParser::readProperties(const JsonReader &reader, const std::string &place)
-{
-    LayerProperties properties;
-    properties.visible = reader.boolean("visible");
-    properties.opacity = reader.number("opacity", 0, 1);
-    properties.blendMode = reader.oneOf<BlendMode>("blend", blendModeNames());
-    if (reader.has("colour"))
-        properties.colour = readTriple(reader, "colour").cast<float>();
-    forEach(reader, "masks", [&](const JsonReader &mask, std::size_t i, std::size_t count) {
-        properties.masks.push_back(readMask(mask, listPlace(place, "mask", i, count)));
-    });
-    keep(reader, place, {"visible", "opacity", "blend", "colour", "masks"});
-    return properties;
-}
 
 Drawing PaintingParser::readDrawing(const JsonReader &reader, const std::string &place)
 {
@@ -207,18 +116,6 @@ LayerFrames PaintingParser::readFrames(const JsonReader &reader, const std::stri
     return frames;
 }
 
-std::vector<PlacementKey> PaintingParser::readKeys(const JsonReader &owner, std::string_view key,
-                                                   const std::string &place)
-{
-    std::vector<PlacementKey> keys;
-    forEach(owner, key, [&](const JsonReader &reader, std::size_t i, std::size_t count) {
-        keys.push_back({reader.number("timeSeconds", -largest, largest), readPlacement(reader),
-                        reader.oneOf<KeyInterpolation>("interpolation", interpolationNames)});
-        keep(reader, listPlace(place, "key", i, count), {"timeSeconds", "placement", "interpolation"});
-    });
-    return keys;
-}
-
 Layer PaintingParser::readLayer(const JsonReader &reader)
 {
     Layer layer;
@@ -226,7 +123,7 @@ Layer PaintingParser::readLayer(const JsonReader &reader)
     const std::string place = idPlace("layer", layer.id.value);
     layer.name = reader.string("name", maxPaintingText);
     layer.locked = reader.boolean("locked");
-    layer.properties = readProperties(reader.member("properties"), place + "/properties");
+    layer.properties = mProperties.properties(reader.member("properties"), place + "/properties");
     layer.tolerance = reader.number("tolerance", 0, largest);
     layer.toleranceMode = reader.oneOf<ToleranceMode>("toleranceMode", toleranceModeNames);
     layer.drawings.clear();
@@ -234,7 +131,7 @@ Layer PaintingParser::readLayer(const JsonReader &reader)
         layer.drawings.push_back(readDrawing(drawing, place));
     });
     layer.frames = readFrames(reader.member("frames"), place + "/frames");
-    layer.motion = readKeys(reader, "motion", place);
+    layer.motion = mProperties.keys(reader, "motion", place);
     keep(
         reader, place,
         {"id", "name", "locked", "properties", "tolerance", "toleranceMode", "drawings", "frames", "motion"});
@@ -264,8 +161,8 @@ Look PaintingParser::readLook(const JsonReader &reader)
     forEach(reader, "layers", [&](const JsonReader &entry, std::size_t, std::size_t) {
         const LayerId layer{readId(entry, "layer")};
         const std::string layerPlace = place + "/" + idPlace("layer", layer.value);
-        look.layers.emplace_back(layer,
-                                 readProperties(entry.member("properties"), layerPlace + "/properties"));
+        look.layers.emplace_back(
+            layer, mProperties.properties(entry.member("properties"), layerPlace + "/properties"));
         keep(entry, layerPlace, {"layer", "properties"});
     });
     keep(reader, place, {"id", "name", "layers"});
@@ -280,7 +177,7 @@ MotionGroup PaintingParser::readGroup(const JsonReader &reader)
     group.name = reader.string("name", maxPaintingText);
     for (const std::int32_t id : mArrays.load<std::int32_t>(reader, "elements", 1))
         group.elements.push_back(ElementId{id});
-    group.keys = readKeys(reader, "keys", place);
+    group.keys = mProperties.keys(reader, "keys", place);
     keep(reader, place, {"id", "name", "elements", "keys"});
     return group;
 }

@@ -3,6 +3,7 @@
 
 #include "painting/storage/array_slots.h"
 #include "painting/storage/painting_names.h"
+#include "painting/storage/property_json.h"
 #include "painting/storage/shape_blocks.h"
 #include "painting/storage/unknown_places.h"
 
@@ -10,34 +11,13 @@ namespace ductus {
 
 namespace {
 
-OrderedJson tripleJson(const Vec3 &v)
-{
-    return {v.x(), v.y(), v.z()};
-}
-
-OrderedJson tripleJson(const Eigen::Vector3f &v)
-{
-    return {double(v.x()), double(v.y()), double(v.z())};
-}
-
-OrderedJson rotationJson(const Eigen::Quaterniond &q)
-{
-    return {q.x(), q.y(), q.z(), q.w()};
-}
-
-OrderedJson placementJson(const Placement &placement)
-{
-    return {{"rotation", rotationJson(placement.rotation)},
-            {"scale", placement.scale},
-            {"mirrored", placement.mirrored},
-            {"translation", tripleJson(placement.translation)}};
-}
-
 class PaintingWriter
 {
 public:
     PaintingWriter(const Painting &painting, const UnknownPaintingMembers &unknown, BufferPacker &packer)
-        : mPainting(painting), mUnknown(unknown), mPacker(packer), mShapes(packer, unknown)
+        : mPainting(painting), mPacker(packer), mShapes(packer, unknown),
+          mProperties(&unknown,
+                      [&packer](const std::vector<std::uint8_t> &bytes) { return addArray(packer, bytes); })
     {
     }
 
@@ -46,95 +26,22 @@ public:
 private:
     OrderedJson kept(OrderedJson object, const std::string &place) const
     {
-        if (const auto found = mUnknown.find(place); found != mUnknown.end())
-            addUnknown(object, found->second);
-        return object;
+        return mProperties.kept(std::move(object), place);
     }
 
     OrderedJson stackJson(const Stack &stack);
     OrderedJson layerJson(const Layer &layer);
     OrderedJson drawingJson(const Drawing &drawing, const std::string &place);
-    OrderedJson propertiesJson(const LayerProperties &properties, const std::string &place);
-    OrderedJson maskJson(const Mask &mask);
-    OrderedJson shapeJson(const GradientMask &mask);
-    OrderedJson shapeJson(const NoiseMask &mask);
-    OrderedJson shapeJson(const TextureMask &mask);
-    OrderedJson shapeJson(const StrokeMask &mask);
-    OrderedJson keysJson(const std::vector<PlacementKey> &keys, const std::string &place) const;
     OrderedJson lookJson(const Look &look);
     OrderedJson groupJson(const MotionGroup &group);
     OrderedJson cameraJson() const;
     OrderedJson pictureJson(const ReferencePicture &picture);
 
     const Painting &mPainting;
-    const UnknownPaintingMembers &mUnknown;
     BufferPacker &mPacker;
     ShapeBlockWriter mShapes;
+    PropertyJsonWriter mProperties;
 };
-
-OrderedJson PaintingWriter::shapeJson(const GradientMask &mask)
-{
-    return {{"shape", wordOf(gradientNames, mask.shape)},
-            {"start", tripleJson(mask.start)},
-            {"end", tripleJson(mask.end)},
-            {"opacityAtStart", mask.opacityAtStart},
-            {"opacityAtEnd", mask.opacityAtEnd},
-            {"easing", wordOf(easingNames, mask.easing)}};
-}
-
-OrderedJson PaintingWriter::shapeJson(const NoiseMask &mask)
-{
-    return {{"cellSize", mask.cellSize}, {"seed", mask.seed}, {"threshold", mask.threshold},
-            {"softness", mask.softness}, {"low", mask.low},   {"high", mask.high}};
-}
-
-OrderedJson PaintingWriter::shapeJson(const TextureMask &mask)
-{
-    return {{"placement", placementJson(mask.placement)},
-            {"width", mask.width},
-            {"height", mask.height},
-            {"depth", mask.depth},
-            {"values", addArray(mPacker, *mask.values)}};
-}
-
-OrderedJson PaintingWriter::shapeJson(const StrokeMask &mask)
-{
-    return {{"layer", mask.layer.value}, {"inside", mask.inside}};
-}
-
-OrderedJson PaintingWriter::maskJson(const Mask &mask)
-{
-    OrderedJson json = {{"kind", wordOf(maskKindNames, MaskKind(mask.shape.index()))},
-                        {"enabled", mask.enabled},
-                        {"inverted", mask.inverted}};
-    json.update(std::visit([this](const auto &shape) { return shapeJson(shape); }, mask.shape));
-    return json;
-}
-
-OrderedJson PaintingWriter::propertiesJson(const LayerProperties &properties, const std::string &place)
-{
-    OrderedJson json = {{"visible", properties.visible},
-                        {"opacity", properties.opacity},
-                        {"blend", blendModeName(properties.blendMode)}};
-    if (properties.colour)
-        json["colour"] = tripleJson(*properties.colour);
-    json["masks"] = OrderedJson::array();
-    for (std::size_t i = 0; i < properties.masks.size(); ++i)
-        json["masks"].push_back(
-            kept(maskJson(properties.masks[i]), listPlace(place, "mask", i, properties.masks.size())));
-    return kept(std::move(json), place);
-}
-
-OrderedJson PaintingWriter::keysJson(const std::vector<PlacementKey> &keys, const std::string &place) const
-{
-    OrderedJson json = OrderedJson::array();
-    for (std::size_t i = 0; i < keys.size(); ++i)
-        json.push_back(kept({{"timeSeconds", keys[i].timeSeconds},
-                             {"placement", placementJson(keys[i].placement)},
-                             {"interpolation", wordOf(interpolationNames, keys[i].interpolation)}},
-                            listPlace(place, "key", i, keys.size())));
-    return json;
-}
 
 OrderedJson PaintingWriter::drawingJson(const Drawing &drawing, const std::string &place)
 {
@@ -168,7 +75,7 @@ OrderedJson PaintingWriter::layerJson(const Layer &layer)
     OrderedJson json = {{"id", layer.id.value},
                         {"name", layer.name},
                         {"locked", layer.locked},
-                        {"properties", propertiesJson(layer.properties, place + "/properties")},
+                        {"properties", mProperties.properties(layer.properties, place + "/properties")},
                         {"tolerance", layer.tolerance},
                         {"toleranceMode", wordOf(toleranceModeNames, layer.toleranceMode)},
                         {"drawings", OrderedJson::array()}};
@@ -180,7 +87,7 @@ OrderedJson PaintingWriter::layerJson(const Layer &layer)
                            {"repeatCount", layer.frames.repeatCount},
                            {"drawings", addArray(mPacker, frames)}},
                           place + "/frames");
-    json["motion"] = keysJson(layer.motion, place);
+    json["motion"] = mProperties.keys(layer.motion, place);
     return kept(std::move(json), place);
 }
 
@@ -201,9 +108,10 @@ OrderedJson PaintingWriter::lookJson(const Look &look)
     OrderedJson json = {{"id", look.id.value}, {"name", look.name}, {"layers", OrderedJson::array()}};
     for (const auto &[layer, properties] : look.layers) {
         const std::string layerPlace = place + "/" + idPlace("layer", layer.value);
-        json["layers"].push_back(kept(
-            {{"layer", layer.value}, {"properties", propertiesJson(properties, layerPlace + "/properties")}},
-            layerPlace));
+        json["layers"].push_back(
+            kept({{"layer", layer.value},
+                  {"properties", mProperties.properties(properties, layerPlace + "/properties")}},
+                 layerPlace));
     }
     return kept(std::move(json), place);
 }
@@ -217,7 +125,7 @@ OrderedJson PaintingWriter::groupJson(const MotionGroup &group)
     return kept({{"id", group.id.value},
                  {"name", group.name},
                  {"elements", addArray(mPacker, elements)},
-                 {"keys", keysJson(group.keys, place)}},
+                 {"keys", mProperties.keys(group.keys, place)}},
                 place);
 }
 
