@@ -18,6 +18,8 @@ struct SketchContent
     std::vector<Scribble> scribbles;
     /// Names this content in the process: equal numbers mean equal content. Given by SketchDocument.
     std::uint64_t id = 0;
+    /// Results of contents with a smaller id are nothing to continue from: the user asked for a fresh start.
+    std::uint64_t startsAnewFrom = 0;
 };
 
 /// What the solver gets.

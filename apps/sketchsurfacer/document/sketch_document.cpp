@@ -143,6 +143,13 @@ void SketchDocument::setUnit(double metresPerUnit, UpAxis up)
     edit(tr("Change unit"), std::move(content));
 }
 
+void SketchDocument::startAnew()
+{
+    SketchContent content = mContent;
+    content.startsAnewFrom = mLastId + 1; // the id it is about to get
+    edit(tr("Surface anew"), std::move(content));
+}
+
 void SketchDocument::edit(const QString &text, SketchContent next, quint64 drag)
 {
     next.id = ++mLastId;
@@ -177,13 +184,14 @@ std::shared_ptr<const SurfacingState> SketchDocument::result() const
     return found ? found->state : nullptr;
 }
 
-std::shared_ptr<const SurfacingState> SketchDocument::startingPoint(SketchContent *madeOf) const
+// Of the results of this very input the one that shares most scribbles; the youngest of equals.
+const SketchDocument::Kept *SketchDocument::keptOfSameInput() const
 {
-    // Of the results of this very input the one that shares most scribbles; the youngest of equals.
     const Kept *best = nullptr;
     std::ptrdiff_t mostShared = -1;
     for (const Kept &entry : mResults) {
-        if (!entry.state->isPrepared() || !hasSameInput(entry.content, mContent))
+        if (!entry.state->isPrepared() || entry.content.id < mContent.startsAnewFrom ||
+            !hasSameInput(entry.content, mContent))
             continue;
         const std::vector<Scribble> &theirs = entry.content.scribbles;
         const auto differs =
@@ -196,6 +204,29 @@ std::shared_ptr<const SurfacingState> SketchDocument::startingPoint(SketchConten
             best = &entry;
         }
     }
+    return best;
+}
+
+// The one that is seen, as the user drew on it; else the youngest.
+const SketchDocument::Kept *SketchDocument::keptOfOtherStrokes() const
+{
+    const Kept *best = nullptr;
+    for (const Kept &entry : mResults) {
+        if (!entry.state->hasLabels() || entry.content.id < mContent.startsAnewFrom ||
+            entry.content.givenProxy != mContent.givenProxy ||
+            restartFrom(entry.content.options, mContent.options) <= SurfacingStage::Segmentation)
+            continue;
+        if (!best || best->state != mShown)
+            best = &entry;
+    }
+    return best;
+}
+
+std::shared_ptr<const SurfacingState> SketchDocument::startingPoint(SketchContent *madeOf) const
+{
+    const Kept *best = keptOfSameInput();
+    if (!best)
+        best = keptOfOtherStrokes();
     if (best && madeOf)
         *madeOf = best->content;
     return best ? best->state : nullptr;

@@ -50,6 +50,9 @@ public:
     void deleteStrokes(const std::vector<StrokeId> &strokes);
     void setGivenProxy(std::shared_ptr<const TriangleMesh> proxy);
     void setUnit(double metresPerUnit, UpAxis up);
+    /// The next surface does not continue from the ones before. After many small edits of strokes it may come
+    /// out otherwise than all of them in one.
+    void startAnew();
 
     /// What goes into the next snapshot as the project's picture; no edit. Null: the one it has stays.
     void setPicture(const QImage &picture) { mPicture = picture; }
@@ -60,7 +63,9 @@ public:
     /// What is to be seen: the result, or a preview of it, or the last one as long as there is none.
     std::shared_ptr<const SurfacingState> shownResult() const { return mShown; }
     bool isUpToDate() const { return result() != nullptr; }
-    /// A state to continue from and the content it was made of; null before the first result.
+    /// A state to continue from and the content it was made of; null if everything must be made. Of the same
+    /// strokes and proxy if there is one (see hasSameInput), else one whose labels changed strokes can be
+    /// worked into (surfacing/pipeline/stroke_update.h): the one that is shown before others.
     std::shared_ptr<const SurfacingState> startingPoint(SketchContent *madeOf) const;
     /// The result of the content with \a contentId, which may have been left meanwhile.
     void setResult(const SketchContent &madeOf, std::shared_ptr<const SurfacingState> state);
@@ -85,6 +90,8 @@ private:
     void apply(const SketchContent &content);
     void showResult();
     const Kept *kept(std::uint64_t contentId) const;
+    const Kept *keptOfSameInput() const;
+    const Kept *keptOfOtherStrokes() const;
 
     SketchContent mContent;
     std::deque<Kept> mResults; // oldest first

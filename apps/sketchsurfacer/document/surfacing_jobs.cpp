@@ -49,15 +49,17 @@ void SurfacingJobs::start()
         return;
     SketchContent madeOf;
     const StatePointer before = mDocument.startingPoint(&madeOf);
-    const bool sameInput = before != nullptr;
+    const bool sameInput = before && hasSameInput(madeOf, content);
     const QPointer<SurfacingJobs> self(this);
-    auto work = [content, before, sameInput, self](const JobControl &control) -> Result<StatePointer> {
+    auto work = [content, before, sameInput, self,
+                 runner = &mRunner](const JobControl &control) -> Result<StatePointer> {
         workInBackground();
         const auto onPreview = [&](const SurfacingState &labelled) {
             auto preview = std::make_shared<const SurfacingState>(labelled);
-            if (self && !control.isCancelled())
+            // Through the runner, which waits for its jobs: this object may go at any time.
+            if (!control.isCancelled())
                 QMetaObject::invokeMethod(
-                    self,
+                    runner,
                     [self, preview, id = content.id] {
                         if (self && self->mRunningId == id)
                             self->mDocument.setPreview(id, preview);
@@ -90,7 +92,7 @@ void SurfacingJobs::start()
             emit runningChanged(false);
     };
     mRunningId = content.id;
-    mRunner.start<StatePointer>({jobKey, tr("Surfacing the sketch")}, work, finish);
+    mRunner.start<StatePointer>({jobKey, tr("Surfacing the sketch")}, this, work, finish);
     emit runningChanged(true);
 }
 

@@ -4,7 +4,8 @@
 //
 // `work` runs on a worker and must own what it reads. `finish` runs on the thread of the runner, exactly once
 // for every job that was started; cancelled and replaced jobs finish with a Cancelled error whatever the work
-// returned, so the previous result stays. Only the runner's destructor drops finishes: it cancels and waits.
+// returned, so the previous result stays. Only the runner's destructor drops finishes: it cancels and waits;
+// and those whose receiver is gone are dropped.
 #pragma once
 
 #include "base/job_control.h"
@@ -13,6 +14,7 @@
 #include <QElapsedTimer>
 #include <QList>
 #include <QObject>
+#include <QPointer>
 #include <QString>
 #include <QTimer>
 #include <atomic>
@@ -71,6 +73,18 @@ public:
                 finish(std::move(**result));
         };
         return startErased(spec, std::move(run), std::move(done));
+    }
+
+    /// As above; \a finish is dropped if \a receiver is gone by then. For whoever may go before the runner.
+    template <typename T>
+    JobId start(const JobSpec &spec, QObject *receiver, std::function<Result<T>(const JobControl &)> work,
+                std::function<void(Result<T>)> finish)
+    {
+        return start<T>(spec, std::move(work),
+                        [guard = QPointer(receiver), finish = std::move(finish)](Result<T> result) {
+                            if (guard && finish)
+                                finish(std::move(result));
+                        });
     }
 
     /// Asks the job to stop; its finish follows with a Cancelled error. Unknown ids, and jobs that cannot be

@@ -39,6 +39,7 @@ private slots:
     void progressIsThrottledAndInOrder();
     void exceptionsBecomeErrors();
     void theDestructorCancelsAndWaits();
+    void aFinishGoesWithItsReceiver();
     void quietJobsAreNotBusy();
     void aFinishMayStartTheNext();
     void remainingTimeIsSteady();
@@ -284,6 +285,23 @@ void JobRunnerTest::theDestructorCancelsAndWaits()
     QVERIFY(ended);
     QTest::qWait(30);
     QVERIFY(!isTold);
+}
+
+void JobRunnerTest::aFinishGoesWithItsReceiver()
+{
+    JobRunner runner;
+    auto leaving = std::make_unique<QObject>();
+    QObject staying;
+    int called = 0;
+    for (QObject *receiver : {leaving.get(), &staying})
+        runner.start<int>({}, receiver, untilCancelled, [&called](Result<int> result) {
+            QVERIFY(!result.ok());
+            ++called;
+        });
+    leaving.reset();
+    runner.cancelAll();
+    QVERIFY(runner.waitForAll(5000));
+    QCOMPARE(called, 1);
 }
 
 void JobRunnerTest::quietJobsAreNotBusy()

@@ -174,7 +174,7 @@ void SketchPresenter::showResult()
         if (mDocument.shownResult() == state)
             adopt(*view);
     };
-    mRunner.start<ViewPointerToResult>({QStringLiteral("view"), tr("Drawing the surface"), true}, work,
+    mRunner.start<ViewPointerToResult>({QStringLiteral("view"), tr("Drawing the surface"), true}, this, work,
                                        finish);
 }
 

@@ -1,6 +1,7 @@
 #include "sketchsurfacer/ui/tools/draw_stroke_tool.h"
 
 #include "sketchsurfacer/ui/tools/painted_line.h"
+#include "sketchsurfacer/ui/tools/stroke_snap.h"
 #include "sketchsurfacer/ui/viewport/sketch_view.h"
 
 #include <cmath>
@@ -11,25 +12,7 @@ namespace {
 
 constexpr double stepPixels = 4.0;
 constexpr double snapPixels = 10.0;
-
-// The point of the stroke under \a position nearest to it on the screen.
-std::optional<Vec3> snapped(const QPointF &position, const SketchView &view)
-{
-    const int line = view.strokeAt(position, snapPixels);
-    if (line < 0)
-        return std::nullopt;
-    std::optional<Vec3> best;
-    double nearest = 1e9;
-    for (const Vec3 &p : view.strokes()[std::size_t(line)].points)
-        if (const std::optional<QPointF> at = view.camera().project(p)) {
-            const double d = std::hypot(at->x() - position.x(), at->y() - position.y());
-            if (d < nearest) {
-                nearest = d;
-                best = p;
-            }
-        }
-    return best;
-}
+constexpr double fadeShare = 0.05; // of the diagonal: how far a snapped end bends a line that ends freely
 
 // Twice a mean over three neighbours: takes the trembling out, keeps the ends.
 std::vector<Vec3> smoothed(std::vector<Vec3> points)
@@ -54,40 +37,47 @@ Vec3 DrawStrokeTool::pointAt(const QPointF &position, const SketchView &view) co
 
 bool DrawStrokeTool::press(const ViewPointer &pointer, SketchView &view)
 {
-    const std::optional<Vec3> snap = snapped(pointer.position, view);
-    mPoints = {snap ? *snap : pointAt(pointer.position, view)};
-    mLast = pointer.position;
+    // Beside the surface the stroke is drawn at the depth of the one it begins at.
+    mPoints.clear();
+    if (const std::optional<Vec3> snap = snapPoint(pointer.position, view, snapPixels);
+        snap && !view.surfaceAt(pointer.position))
+        mPoints = {*snap};
+    else
+        mPoints = {pointAt(pointer.position, view)};
+    mPositions = {pointer.position};
     mIsDrawing = true;
     return true;
 }
 
 void DrawStrokeTool::drag(const ViewPointer &pointer, SketchView &view)
 {
-    const QPointF way = pointer.position - mLast;
-    if (!mIsDrawing || std::hypot(way.x(), way.y()) < stepPixels)
+    if (!mIsDrawing)
+        return;
+    const QPointF way = pointer.position - mPositions.back();
+    if (std::hypot(way.x(), way.y()) < stepPixels)
         return;
     mPoints.push_back(pointAt(pointer.position, view));
-    mLast = pointer.position;
+    mPositions.push_back(pointer.position);
 }
 
-void DrawStrokeTool::release(const ViewPointer &pointer, SketchView &view)
+void DrawStrokeTool::release(const ViewPointer &, SketchView &view)
 {
     if (!mIsDrawing)
         return;
     mIsDrawing = false;
-    if (const std::optional<Vec3> end = snapped(pointer.position, view); end && mPoints.size() > 2)
-        mPoints.push_back(*end);
-    const std::vector<Vec3> points = smoothed(std::move(mPoints));
+    const std::vector<Vec3> smooth = smoothed(std::move(mPoints));
     mPoints.clear();
-    if (points.size() < 2)
+    if (smooth.size() < 2)
         return;
+    const std::vector<Vec3> points =
+        carriedTo(smooth, anchorsOf(mPositions, view, snapPixels), fadeShare * view.extent().diagonal());
     mLastEnd = points.back();
     mDone(points);
 }
 
 void DrawStrokeTool::hover(const ViewPointer &pointer, SketchView &view)
 {
-    mSnap = snapped(pointer.position, view);
+    mSnap = snapPoint(pointer.position, view, snapPixels);
 }
 
 bool DrawStrokeTool::cancel(SketchView &)

@@ -1,5 +1,7 @@
 // DrawStrokeTool: a new stroke on the surface, or where there is none on the plane that faces the eye through
-// the point where the last stroke ended. Starts near strokes snap to them.
+// the point where the last stroke ended. Ends near strokes snap to them, and so does the line where it
+// crosses some: from stroke to stroke it runs at their height, also where the surface does not
+// (stroke_snap.h).
 #pragma once
 
 #include "geometry/triangle_mesh.h"
@@ -30,8 +32,8 @@ private:
     std::function<void(const std::vector<Vec3> &)> mDone;
     std::vector<Vec3> mPoints;
     std::optional<Vec3> mLastEnd;
-    std::optional<Vec3> mSnap; // what a press now would begin at
-    QPointF mLast;
+    std::optional<Vec3> mSnap;       // what a press now would begin at
+    std::vector<QPointF> mPositions; // pixels, beside mPoints
     bool mIsDrawing = false;
 };
 

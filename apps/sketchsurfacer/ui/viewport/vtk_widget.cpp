@@ -36,8 +36,8 @@ VtkWidget::VtkWidget(QWidget *parent)
 
 VtkWidget::~VtkWidget()
 {
+    releaseGraphics(); // the observer still answers whether the context is current
     mWindow->RemoveObserver(mObserver);
-    releaseGraphics();
 }
 
 vtkGenericOpenGLRenderWindow *VtkWidget::renderWindow() const

@@ -58,7 +58,7 @@ QString samplePicturePath(const SampleSketch &sample, bool dark)
 }
 
 void drawSamplePictures(JobRunner &runner, const std::vector<SampleSketch> &samples, bool dark,
-                        std::function<void()> drawn)
+                        QObject *receiver, std::function<void()> drawn)
 {
     std::vector<SampleSketch> missing;
     for (const SampleSketch &sample : samples)
@@ -77,10 +77,11 @@ void drawSamplePictures(JobRunner &runner, const std::vector<SampleSketch> &samp
         return true;
     };
     // Without pictures the cards still have their words: nothing to tell anybody about.
-    runner.start<bool>({QStringLiteral("sample-pictures"), {}, true}, work, [drawn](Result<bool> done) {
-        if (done)
-            drawn();
-    });
+    runner.start<bool>({QStringLiteral("sample-pictures"), {}, true}, receiver, work,
+                       [drawn](Result<bool> done) {
+                           if (done)
+                               drawn();
+                       });
 }
 
 } // namespace ductus

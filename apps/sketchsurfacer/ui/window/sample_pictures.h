@@ -12,8 +12,9 @@ namespace ductus {
 /// Where the picture of \a sample is or will be.
 QString samplePicturePath(const SampleSketch &sample, bool dark);
 
-/// Draws those that are not there yet, quietly; \a drawn is called when a picture has come.
+/// Draws those that are not there yet, quietly; \a drawn is called when they have come, unless \a receiver is
+/// gone.
 void drawSamplePictures(JobRunner &runner, const std::vector<SampleSketch> &samples, bool dark,
-                        std::function<void()> drawn);
+                        QObject *receiver, std::function<void()> drawn);
 
 } // namespace ductus

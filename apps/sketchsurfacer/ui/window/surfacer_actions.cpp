@@ -103,6 +103,18 @@ void SurfacerWindow::addActions()
              {QKeySequence("Ctrl+Return"), QKeySequence("Ctrl+Enter")},
              surface},
             [this] { surfaceIt(); });
+    all.add({"surface.anew",
+             tr("Surface a&new"),
+             tr("Forgets the way here: edited strokes are usually worked into the surface there is."),
+             "view-refresh",
+             {QKeySequence("Ctrl+Shift+Return")},
+             surface},
+            [this] {
+                if (mSketch.isEmpty())
+                    return;
+                mSketch.startAnew();
+                surfaceIt();
+            });
     QAction *follow =
         all.addToggle({"surface.follow",
                        tr("&Update by itself"),
@@ -288,7 +300,7 @@ void SurfacerWindow::fillMenus()
                                "view.bottom", "view.threeQuarter"}));
     addToMenu(viewMenu(), {presets->menuAction()});
     QMenu *surface = menu(tr("&Surface"));
-    surface->addActions(named({"surface.run", "surface.follow"}));
+    surface->addActions(named({"surface.run", "surface.anew", "surface.follow"}));
     surface->addSeparator();
     surface->addActions(named({"surface.clearScribbles", "surface.ownProxy", "surface.autoProxy"}));
     menu(tr("&Tools"))->addActions(mToolActions->actions());

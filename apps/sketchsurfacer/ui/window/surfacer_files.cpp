@@ -13,6 +13,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMimeData>
+#include <QPointer>
 #include <QUrl>
 
 namespace ductus {
@@ -41,7 +42,7 @@ void SurfacerWindow::fillStartPage()
         startPage()->setSamples(cards);
     };
     const auto draw = [this, refresh] {
-        drawSamplePictures(jobs(), mSamples, coloursOf(QGuiApplication::palette()).isDark, refresh);
+        drawSamplePictures(jobs(), mSamples, coloursOf(QGuiApplication::palette()).isDark, this, refresh);
     };
     refresh();
     draw();
@@ -155,7 +156,7 @@ void SurfacerWindow::openSketch(const QString &title,
 {
     if (!confirmLeaving())
         return;
-    jobs().start<ImportedSketch>({QStringLiteral("open"), title}, std::move(read),
+    jobs().start<ImportedSketch>({QStringLiteral("open"), title}, this, std::move(read),
                                  [this, rememberedPath](Result<ImportedSketch> sketch) {
                                      if (!sketch) {
                                          showError(sketch.error());
@@ -193,7 +194,7 @@ void SurfacerWindow::openProxy(const QString &path)
             return mesh.error();
         return Mesh(std::make_shared<const TriangleMesh>(std::move(*mesh)));
     };
-    jobs().start<Mesh>({QStringLiteral("open"), tr("Reading the proxy")}, work,
+    jobs().start<Mesh>({QStringLiteral("open"), tr("Reading the proxy")}, this, work,
                        [this, path](Result<Mesh> mesh) {
                            if (!mesh) {
                                showError(mesh.error());
@@ -208,7 +209,9 @@ void SurfacerWindow::openProject(const QString &path)
 {
     if (!confirmLeaving())
         return;
-    openDocument(mSketch, jobs(), path, [this, path](Result<OpenNotes> notes) {
+    openDocument(mSketch, jobs(), path, [this, self = QPointer(this), path](Result<OpenNotes> notes) {
+        if (!self)
+            return;
         if (!notes) {
             showError(notes.error());
             return;
@@ -266,16 +269,19 @@ void SurfacerWindow::saveTo(const QString &path, std::function<void(bool)> finis
 {
     const QImage shown = picture();
     mSketch.setPicture(shown);
-    saveDocument(mSketch, jobs(), path, [this, path, shown, finish](Result<SaveReport> report) {
-        if (report) {
-            mRecentPath = path;
-            mRecent.add(path, shown);
-        } else {
-            showError(report.error(), tr("Save as..."), [this] { saveAs(); });
-        }
-        if (finish)
-            finish(report.ok());
-    });
+    saveDocument(mSketch, jobs(), path,
+                 [this, self = QPointer(this), path, shown, finish](Result<SaveReport> report) {
+                     if (!self)
+                         return;
+                     if (report) {
+                         mRecentPath = path;
+                         mRecent.add(path, shown);
+                     } else {
+                         showError(report.error(), tr("Save as..."), [this] { saveAs(); });
+                     }
+                     if (finish)
+                         finish(report.ok());
+                 });
 }
 
 void SurfacerWindow::exportSurface()
@@ -312,12 +318,13 @@ void SurfacerWindow::exportTo(const QString &path, const ExportChoice &choice)
             return written.error();
         return true;
     };
-    jobs().start<bool>({QString(), tr("Exporting the surface")}, work, [this, path](Result<bool> written) {
-        if (written)
-            messages()->success(tr("Exported to %1.").arg(QFileInfo(path).fileName()));
-        else
-            showError(written.error());
-    });
+    jobs().start<bool>({QString(), tr("Exporting the surface")}, this, work,
+                       [this, path](Result<bool> written) {
+                           if (written)
+                               messages()->success(tr("Exported to %1.").arg(QFileInfo(path).fileName()));
+                           else
+                               showError(written.error());
+                       });
 }
 
 } // namespace ductus
