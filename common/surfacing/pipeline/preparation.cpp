@@ -3,6 +3,7 @@
 #include "strokes/resample.h"
 #include "surfacing/extraction/half_mesh.h"
 #include "surfacing/pipeline/stopwatch.h"
+#include "surfacing/sketch/point_cloud.h"
 
 #include <limits>
 
@@ -16,6 +17,13 @@ StrokeSet evenStrokes(StrokeSet strokes, double step)
     for (Stroke &stroke : strokes.strokes)
         stroke = resampled(stroke, step);
     return strokes;
+}
+
+StrokeSet preparedStrokes(const StrokeSet &strokes, const UnitFrame &frame, double step)
+{
+    if (isPointCloud(strokes))
+        return inUnitFrame(cleanedCloud(strokes), frame);
+    return evenStrokes(inUnitFrame(cleaned(strokes), frame), step);
 }
 
 // Coordinates that cannot tell a thousandth of the sketch apart.
@@ -37,7 +45,10 @@ Result<void> prepareSketch(SurfacingState &state, const StrokeSet &strokes)
         return Error{ErrorCode::InvalidArgument, "Reading the sketch's size",
                      "the sketch is so small for its distance from the origin that its digits are lost",
                      "Move it to the origin in the program it comes from and export it again", ""};
-    sketch->strokes = evenStrokes(inUnitFrame(cleaned(strokes), sketch->frame), options.resamplingStep);
+    if (isPointCloud(strokes))
+        if (Result<void> isSurface = checkCloudIsSurface(strokes); !isSurface)
+            return isSurface;
+    sketch->strokes = preparedStrokes(strokes, sketch->frame, options.resamplingStep);
     if (options.symmetry == SymmetryMode::Given)
         sketch->plane = sketch->frame.unitFromInput(options.symmetryPlane);
     if (options.symmetry == SymmetryMode::Auto) {
@@ -59,7 +70,7 @@ Result<void> prepareSketch(SurfacingState &state, const StrokeSet &strokes)
 StrokeSet strokesInFrame(const StrokeSet &strokes, const PreparedSketch &sketch,
                          const SurfaceOptions &options)
 {
-    StrokeSet result = evenStrokes(inUnitFrame(cleaned(strokes), sketch.frame), options.resamplingStep);
+    StrokeSet result = preparedStrokes(strokes, sketch.frame, options.resamplingStep);
     return sketch.plane ? keptHalf(result, *sketch.plane) : result;
 }
 

@@ -179,7 +179,7 @@ StrokeSet keptHalf(const StrokeSet &strokes, const SymmetryPlane &plane)
             piece.timeSeconds.clear();
         };
         const auto flush = [&] {
-            if (piece.points.size() >= 2)
+            if (piece.points.size() >= 2 || (piece.points.size() == 1 && stroke.points.size() == 1))
                 result.strokes.push_back(piece);
             clear();
         };
