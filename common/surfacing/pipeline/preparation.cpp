@@ -4,6 +4,7 @@
 #include "surfacing/extraction/half_mesh.h"
 #include "surfacing/pipeline/stopwatch.h"
 #include "surfacing/sketch/point_cloud.h"
+#include "surfacing/sketch/stray_strokes.h"
 
 #include <limits>
 
@@ -40,7 +41,12 @@ Result<void> prepareSketch(SurfacingState &state, const StrokeSet &strokes)
     const SurfaceOptions &options = state.options;
     auto sketch = std::make_shared<PreparedSketch>();
     sketch->input = strokes;
-    sketch->frame = unitFrameOf(strokes);
+    const StraysFound drawn = withStraysIgnored(strokes);
+    if (drawn.count > 0)
+        sketch->warnings.push_back(
+            (drawn.count == 1 ? std::string("A dab") : std::to_string(drawn.count) + " dabs") +
+            " in the air, far from all other strokes, left out.");
+    sketch->frame = unitFrameOf(drawn.strokes);
     if (digitsAreLost(sketch->frame))
         return Error{ErrorCode::InvalidArgument, "Reading the sketch's size",
                      "the sketch is so small for its distance from the origin that its digits are lost",
@@ -48,7 +54,7 @@ Result<void> prepareSketch(SurfacingState &state, const StrokeSet &strokes)
     if (isPointCloud(strokes))
         if (Result<void> isSurface = checkCloudIsSurface(strokes); !isSurface)
             return isSurface;
-    sketch->strokes = preparedStrokes(strokes, sketch->frame, options.resamplingStep);
+    sketch->strokes = preparedStrokes(drawn.strokes, sketch->frame, options.resamplingStep);
     if (options.symmetry == SymmetryMode::Given)
         sketch->plane = sketch->frame.unitFromInput(options.symmetryPlane);
     if (options.symmetry == SymmetryMode::Auto) {
@@ -70,7 +76,8 @@ Result<void> prepareSketch(SurfacingState &state, const StrokeSet &strokes)
 StrokeSet strokesInFrame(const StrokeSet &strokes, const PreparedSketch &sketch,
                          const SurfaceOptions &options)
 {
-    StrokeSet result = preparedStrokes(strokes, sketch.frame, options.resamplingStep);
+    StrokeSet result =
+        preparedStrokes(withStraysIgnored(strokes).strokes, sketch.frame, options.resamplingStep);
     return sketch.plane ? keptHalf(result, *sketch.plane) : result;
 }
 

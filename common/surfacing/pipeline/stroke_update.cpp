@@ -4,6 +4,7 @@
 #include "surfacing/pipeline/preparation.h"
 #include "surfacing/pipeline/stopwatch.h"
 #include "surfacing/refinement/stroke_refit.h"
+#include "surfacing/sketch/stray_strokes.h"
 
 #include <algorithm>
 
@@ -85,7 +86,8 @@ std::string refusalOf(const SurfacingState &before, const StrokeSet &strokes, co
         length += polylineLength(stroke.points);
     if (change.length() > options.largestChange * length)
         return "much of the sketch has changed";
-    const double growth = unitFrameOf(strokes).diagonal / before.sketch->frame.diagonal;
+    const double growth =
+        unitFrameOf(withStraysIgnored(strokes).strokes).diagonal / before.sketch->frame.diagonal;
     if (std::abs(growth - 1.0) > options.largestGrowth)
         return "the sketch has another size now";
     // Border strokes decide where an open surface ends, or whether it is open.
