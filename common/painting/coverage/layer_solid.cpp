@@ -75,7 +75,8 @@ std::optional<SkinHit> LayerSolid::hit(const Vec3 &origin, const Vec3 &direction
         if (const auto hit = mesh.solid.hit(origin, direction, from, limit)) {
             limit = hit->s;
             segmentHit = -1;
-            nearest = SkinHit{hit->s, mesh.element, mProperties->colour ? *mProperties->colour : mesh.solid.colour(*hit), 1};
+            nearest = SkinHit{hit->s, mesh.element,
+                              mProperties->colour ? *mProperties->colour : mesh.solid.colour(*hit), 1};
         }
         return limit;
     });

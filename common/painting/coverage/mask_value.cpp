@@ -16,12 +16,27 @@ std::uint32_t mix(std::uint32_t h)
     return h ^ (h >> 16);
 }
 
-double latticeValue(std::int32_t i, std::int32_t j, std::int32_t k, std::uint32_t start)
+/// What the lattice point gives at a place \a d away from it.
+double latticeValue(std::int32_t i, std::int32_t j, std::int32_t k, std::uint32_t start, const Vec3 &d)
 {
     std::uint32_t h = mix(start ^ std::uint32_t(i) * 0x85ebca6bu);
     h = mix(h ^ std::uint32_t(j) * 0xc2b2ae35u);
     h = mix(h ^ std::uint32_t(k) * 0x27d4eb2fu);
-    return double(h >> 8) / double(1 << 24);
+    const std::uint32_t gradient = h >> 28;
+    switch (gradient) {
+    case 12:
+        return d.x() + d.y();
+    case 13:
+        return -d.x() + d.y();
+    case 14:
+        return -d.y() + d.z();
+    case 15:
+        return -d.y() - d.z();
+    default:
+        break;
+    }
+    const double first = gradient < 8 ? d.x() : d.y(), second = gradient < 4 ? d.y() : d.z();
+    return (gradient & 1 ? -first : first) + (gradient & 2 ? -second : second);
 }
 
 double blend(double a, double b, double t)
@@ -50,11 +65,12 @@ double latticeNoise(const Vec3 &p, std::uint64_t seed)
     const Vec3 base = bounded.array().floor(), f = bounded - base;
     const Vec3 w = f.array().cube() * (f.array() * (f.array() * 6 - 15) + 10);
     const auto i = std::int32_t(base[0]), j = std::int32_t(base[1]), k = std::int32_t(base[2]);
-    const auto row = [&](int dj, int dk) {
-        return blend(latticeValue(i, j + dj, k + dk, start), latticeValue(i + 1, j + dj, k + dk, start),
-                     w[0]);
+    const auto corner = [&](int di, int dj, int dk) {
+        return latticeValue(i + di, j + dj, k + dk, start, f - Vec3(di, dj, dk));
     };
-    return blend(blend(row(0, 0), row(1, 0), w[1]), blend(row(0, 1), row(1, 1), w[1]), w[2]);
+    const auto row = [&](int dj, int dk) { return blend(corner(0, dj, dk), corner(1, dj, dk), w[0]); };
+    const double n = blend(blend(row(0, 0), row(1, 0), w[1]), blend(row(0, 1), row(1, 1), w[1]), w[2]);
+    return std::clamp(0.5 + 0.6 * n, 0.0, 1.0);
 }
 
 double noiseValue(const NoiseMask &mask, const Vec3 &x)

@@ -15,10 +15,14 @@ double gradientValue(const GradientMask &mask, const Vec3 &x);
 /// 1); without softness a step at n >= threshold.
 double noiseValue(const NoiseMask &mask, const Vec3 &x);
 
-/// 0..1: hashes of the 8 lattice points around \a p, interpolated by w = f^3 (6 f^2 - 15 f + 10) of the
-/// fractional parts f, x first. The hash of (i, j, k), all uint32 with wrap-around:
+/// Gradient noise [Perlin 2002], 0..1: clamp(0.5 + 0.6 n, 0, 1). n mixes, by w = f^3 (6 f^2 - 15 f + 10) of
+/// the fractional parts f of p, x first, then y, then z, what the 8 lattice points (i, j, k) around p give:
+/// dot(gradient, p - (i, j, k)). The gradient is number h >> 28 of the sixteen
+///     (+-1, +-1, 0) for 0..3, (+-1, 0, +-1) for 4..7, (0, +-1, +-1) for 8..11, bit 0 set: the first of the
+///     two is negative, bit 1 set: the second is; 12..15 are (1, 1, 0), (-1, 1, 0), (0, -1, 1), (0, -1, -1)
+/// and the hash of (i, j, k), all uint32 with wrap-around:
 ///     h = seedLow ^ (seedHigh * 0x9e3779b9); h = mix(h ^ i * 0x85ebca6b); h = mix(h ^ j * 0xc2b2ae35);
-///     h = mix(h ^ k * 0x27d4eb2f); value = (h >> 8) / 2^24
+///     h = mix(h ^ k * 0x27d4eb2f)
 ///     mix(h): h ^= h >> 16; h *= 0x7feb352d; h ^= h >> 15; h *= 0x846ca68b; h ^= h >> 16
 double latticeNoise(const Vec3 &p, std::uint64_t seed);
 

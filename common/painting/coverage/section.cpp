@@ -272,12 +272,25 @@ SegmentBounds boxAround(const std::vector<Vec3> &points, const Vec3 &x, const Ve
 
 double segmentParameter(const SegmentData &segment, const Vec3 &x)
 {
-    const Vec3 a = segment.a.cast<double>(), b = segment.b.cast<double>();
-    const Vec3 axis = (b - a).normalized(); // zero stays zero
-    const Vec3 nA = segment.clipA.isZero() ? axis : Vec3(segment.clipA.cast<double>());
-    const Vec3 nB = segment.clipB.isZero() ? axis : Vec3(segment.clipB.cast<double>());
-    const double fA = (x - a).dot(nA), width = fA - (x - b).dot(nB);
-    return width > 0 ? std::clamp(fA / width, 0.0, 1.0) : 0.5;
+    const Vec3 a = segment.a.cast<double>(), b = segment.b.cast<double>(), p = x - a;
+    const double length = (b - a).norm();
+    double y = 0;
+    if (segment.clipA.isZero() || segment.clipB.isZero()) {
+        const double ra = segment.radiusA, rb = segment.radiusB;
+        const Vec3 axis = (b - a).normalized(); // zero stays zero
+        y = p.dot(axis);
+        if (segment.kind() == StrokeSection::Round) {
+            const double sine = (ra - rb) / length;
+            const double rho = std::sqrt(std::max(0.0, p.squaredNorm() - y * y));
+            if (length > std::abs(ra - rb))
+                y -= rho * sine / std::sqrt(1 - sine * sine);
+            else
+                y = ra >= rb ? 0 : length;
+        }
+    }
+    const double fA = segment.clipA.isZero() ? y : p.dot(segment.clipA.cast<double>());
+    const double fB = segment.clipB.isZero() ? y - length : (x - b).dot(segment.clipB.cast<double>());
+    return fA - fB > 0 ? std::clamp(fA / (fA - fB), 0.0, 1.0) : 0.5;
 }
 
 bool segmentContains(const SegmentData &segment, const Vec3 &x)

@@ -8,9 +8,14 @@
 // stroke is smooth neighbours share the mitre plane between them, so that nearly every point belongs to one
 // segment.
 //
-//   parameter  t(x) = clamp(fA / (fA - fB), 0, 1), where a missing normal is replaced by that of the axis;
-//              1/2 if fA - fB <= 0. It is continuous across joints. Colour, opacity and reach direction at x
-//              are mixed linearly by t.
+//   parameter  t(x) = clamp(fA / (fA - fB), 0, 1), 1/2 if fA - fB <= 0. Without a plane at a, fA is y;
+//   without
+//              one at b, fB is y - L, with L = |b - a| and y the place along the axis: of flat segments
+//              y = (x - a).axis; of round ones where the mantle's normal through x meets the axis,
+//              y = (x - a).axis - rho sin / sqrt(1 - sin^2), sin = (rA - rB) / L, rho the distance from the
+//              axis (where one ball holds the other: y = 0 if rA >= rB, else y = L). It is continuous across
+//              joints, and on a ball that two segments share both say the same. Colour, opacity and reach
+//              direction at x are mixed linearly by t.
 //   Round      convex hull of the balls (a, rA) and (b, rB), cut by the planes. Ends have no plane: a ball.
 //   Ellipse,   with local coordinates x - a = tau (b - a) + u U + v V and r(tau) = rA + tau (rB - rA),
 //              but no larger than max(rA, rB):

@@ -117,13 +117,14 @@ private:
         if (cosine < 0.5)
             return false;
         const double tilt = std::sqrt(std::max(0.0, (1 - cosine) / (1 + cosine))); // tan of half the bend
+        const double widestTilt = tilt * std::max({radius, mStations[i - 1].radius, mStations[i + 1].radius});
         const double before = (radius - mStations[i - 1].radius) / mLengths[i - 1];
         const double after = (mStations[i + 1].radius - radius) / mLengths[i];
-        if (mSection == StrokeSection::Round && tilt > 0.01 &&
-            std::max(std::abs(before), std::abs(after)) > 0.9)
+        if (mSection != StrokeSection::Round) // flat ends are closed: their sections need not agree
+            return widestTilt <= 0.5 * std::min(mLengths[i - 1], mLengths[i]);
+        if (tilt > 0.01 && std::max(std::abs(before), std::abs(after)) > 0.9)
             return false; // one ball swallows the other
-        const double widest = std::max({radius, mStations[i - 1].radius, mStations[i + 1].radius});
-        return widest * tilt <= 0.5 * std::min(mLengths[i - 1], mLengths[i]) &&
+        return widestTilt <= 0.5 * std::min(mLengths[i - 1], mLengths[i]) &&
                std::abs(after - before) * tilt <= 0.005;
     }
 
@@ -160,9 +161,10 @@ private:
         for (int k = 0; k < parts; ++k) {
             const Station from = between(a, b, acrossB, double(k) / parts);
             const Station to = between(a, b, acrossB, double(k + 1) / parts);
-            const bool first = k == 0, last = k + 1 == parts;
-            addFlat(from, to, first ? planeA : chord, last ? planeB : chord, !(first && openA),
-                    !(last && openB));
+            const auto plane = [&](int j) -> Vec3 {
+                return ((1 - double(j) / parts) * planeA + double(j) / parts * planeB).normalized();
+            };
+            addFlat(from, to, plane(k), plane(k + 1), !(k == 0 && openA), !(k + 1 == parts && openB));
         }
     }
 
