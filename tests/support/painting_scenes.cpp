@@ -206,7 +206,7 @@ PaintingScene cameraInsideAStroke()
     Layer &layer = builder.addLayer(-1, "Dusk");
     layer.properties.blendMode = BlendMode::Multiply;
     // Taller than everything, ending in the middle of the picture.
-    builder.add(layer, evenStroke(StrokeSection::Round, {{-20, 0, 0}, {-5, 0, 0}}, 5.2f, purple));
+    builder.add(layer, evenStroke(StrokeSection::Round, {{-20, 0, 0}, {-4.8f, 0, 0}}, 5.2f, purple));
     return scene("camera-inside-a-stroke", std::move(builder), cameraAt({-0.3, -0.5, 2.2}));
 }
 

@@ -28,6 +28,12 @@ struct Coating
 class LayerSolid
 {
 public:
+    struct MeshElement
+    {
+        MeshSolid solid;
+        int element;
+    };
+
     /// \a properties may be those of a look. The layer must outlive the object.
     LayerSolid(const Layer &layer, const LayerProperties &properties, const ElementPlacements &placements);
 
@@ -36,6 +42,8 @@ public:
     const Element &element(int index) const { return mDrawing->elements[std::size_t(index)]; }
     const Box3 &box() const { return mBox; } // of the skin
     const std::vector<SegmentData> &segments() const { return mSegments; }
+
+    const std::vector<MeshElement> &meshes() const { return mMeshes; }
 
     /// For reach.h.
     std::vector<SegmentData> &segments() { return mSegments; }
@@ -59,12 +67,6 @@ public:
     bool covers(const Vec3 &x, const Vec3 *view) const;
 
 private:
-    struct MeshElement
-    {
-        MeshSolid solid;
-        int element;
-    };
-
     bool reaches(const SegmentData &segment, const Vec3 &x, const Vec3 *view) const;
     bool reaches(const MeshSolid &mesh, const Vec3 &x, const Vec3 *view) const;
     Box3 queryBox(const Vec3 &x, const Vec3 *view) const;

@@ -36,6 +36,8 @@ public:
     Eigen::Vector3f colour(const MeshHit &hit) const;
     /// The mean of the vertices' colours: what a mesh colours with in an appearance layer.
     const Eigen::Vector3f &meanColour() const { return mMeanColour; }
+    const TriangleMesh &mesh() const { return mMesh; } // in the scene
+    const std::vector<Eigen::Vector3f> &vertexColours() const { return mColours; }
     const Box3 &box() const { return mBox; }
 
 private:
