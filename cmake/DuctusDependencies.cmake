@@ -16,6 +16,7 @@ pkg_check_modules(FFMPEG REQUIRED IMPORTED_TARGET libavcodec libavformat libavut
 find_package(OpenCV REQUIRED COMPONENTS core imgproc video)
 add_library(Ductus::opencv INTERFACE IMPORTED)
 target_link_libraries(Ductus::opencv INTERFACE opencv_core opencv_imgproc opencv_video)
+pkg_check_modules(EPOXY REQUIRED IMPORTED_TARGET epoxy)
 find_path(MAXFLOW_INCLUDE_DIR maxflow/graph.h PATH_SUFFIXES maxflow-3.0 REQUIRED)
 find_library(MAXFLOW_LIBRARY maxflow REQUIRED)
 add_library(Ductus::maxflow INTERFACE IMPORTED)

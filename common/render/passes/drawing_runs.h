@@ -1,0 +1,41 @@
+// What of a layer is in view, as few draws as the order allows.
+#pragma once
+
+#include "render/passes/pixel_rect.h"
+#include "render/upload/painting_upload.h"
+
+#include <array>
+
+namespace ductus {
+
+/// As glMultiDrawArraysIndirect reads it.
+struct DrawCommand
+{
+    std::uint32_t vertices = 14; // a box as a strip
+    std::uint32_t instances = 0;
+    std::uint32_t firstVertex = 0;
+    std::uint32_t firstInstance = 0;
+};
+
+/// Strokes that are drawn by one call, or one mesh.
+struct DrawingRun
+{
+    const DrawnElement *mesh = nullptr;
+    std::uint32_t firstCommand = 0, commandCount = 0;
+    PixelRect rect;
+};
+
+struct LayerInView
+{
+    std::vector<DrawingRun> runs;
+    std::vector<DrawCommand> commands;
+    PixelRect rect;
+    std::uint64_t segments = 0;
+};
+
+/// \a margin: by how much elements reach beyond themselves, scene units; \a smallestPixels: what is smaller
+/// across is left out.
+LayerInView layerInView(const DrawnLayer &layer, const ScreenFinder &screen, double margin,
+                        double smallestPixels);
+
+} // namespace ductus

@@ -1,0 +1,210 @@
+#include "render/passes/element_pass.h"
+
+#include <bit>
+#include <cmath>
+
+namespace ductus {
+
+namespace {
+
+using Pass = SegmentProgramKind::Pass;
+
+Reach reachOf(const DrawnLayer &layer)
+{
+    if (!(layer.tolerance > 0))
+        return Reach::Inside;
+    return layer.toleranceMode == ToleranceMode::View ? Reach::View : Reach::Surface;
+}
+
+void setLayerColour(const Program &program, const DrawnLayer &layer)
+{
+    const Eigen::Vector3f colour = layer.properties.colour.value_or(Eigen::Vector3f::Zero());
+    glUniform4f(program.at("layerColour"), colour[0], colour[1], colour[2],
+                layer.properties.colour ? 1.f : 0.f);
+}
+
+class ElementDrawing
+{
+public:
+    ElementDrawing(FrameContext &frame, const DrawnLayer &layer, Pass pass, StackId onlyStack)
+        : mFrame(frame), mLayer(layer), mPass(pass), mOnlyStack(onlyStack),
+          mReach(pass == Pass::Substrate ? Reach::Inside : reachOf(layer))
+    {
+    }
+
+    Result<void> draw(const LayerInView &inView)
+    {
+        for (const DrawingRun &run : inView.runs)
+            if (Result<void> done = run.mesh ? drawMesh(run) : drawStrokes(run); !done)
+                return done;
+        mFrame.statistics.segments += inView.segments;
+        return {};
+    }
+
+    bool isPeeling = false;
+    int peel = 0;
+
+private:
+    Result<void> drawStrokes(const DrawingRun &run)
+    {
+        const bool oneSection = std::has_single_bit(mLayer.sections);
+        const Result<const Program *> program =
+            mFrame.programs.segments({mPass, mReach, oneSection ? std::countr_zero(mLayer.sections) : -1,
+                                      mLayer.uniformColour && mPass != Pass::Coverage, isPeeling});
+        if (!program)
+            return program.error();
+        use(**program);
+        setLayerColour(**program, mLayer);
+        glBindVertexArray(mFrame.painting.segmentArray(mReach == Reach::Surface));
+        // Their back faces: there is one for each pixel of a box, whether the eye is inside or not.
+        glEnable(GL_CULL_FACE);
+        glCullFace(GL_FRONT);
+        glMultiDrawArraysIndirect(GL_TRIANGLE_STRIP,
+                                  reinterpret_cast<const void *>(run.firstCommand * sizeof(DrawCommand)),
+                                  GLsizei(run.commandCount), 0);
+        ++mFrame.statistics.draws;
+        return {};
+    }
+
+    Result<void> drawMesh(const DrawingRun &run)
+    {
+        if (mPass == Pass::Substrate)
+            return drawMeshSurface(*run.mesh);
+        if (Result<void> done = drawMeshInside(run); !done)
+            return done;
+        return mReach == Reach::Inside ? Result<void>() : drawMeshSurroundings(*run.mesh);
+    }
+
+    Result<void> drawMeshSurface(const DrawnElement &mesh)
+    {
+        const Result<const Program *> program = mFrame.programs.meshSubstrate(isPeeling);
+        if (!program)
+            return program.error();
+        use(**program);
+        setLayerColour(**program, mLayer);
+        drawTriangles(mesh);
+        return {};
+    }
+
+    Result<void> drawMeshInside(const DrawingRun &run)
+    {
+        const Result<const Program *> count = mFrame.programs.meshWinding();
+        const Result<const Program *> cover = mFrame.programs.meshCover(mPass == Pass::Coverage);
+        if (!count)
+            return count.error();
+        if (!cover)
+            return cover.error();
+        GLint target = 0;
+        std::array<GLint, 4> scissor{};
+        glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
+        glGetIntegerv(GL_SCISSOR_BOX, scissor.data());
+        const PixelRect rect =
+            run.rect.cutBy({scissor[0], scissor[1], scissor[0] + scissor[2], scissor[1] + scissor[3]});
+        if (rect.isEmpty())
+            return {};
+
+        mFrame.setScissor(rect);
+        mFrame.bindTarget(mFrame.buffers.windingTarget);
+        constexpr std::array<float, 4> none{};
+        glClearBufferfv(GL_COLOR, 0, none.data());
+        glDisable(GL_DEPTH_TEST);
+        glEnable(GL_BLEND);
+        glBlendFunc(GL_ONE, GL_ONE);
+        use(**count);
+        drawTriangles(*run.mesh);
+
+        glBindFramebuffer(GL_FRAMEBUFFER, GLuint(target));
+        glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+        if (mPass == Pass::Appearance)
+            glEnable(GL_DEPTH_TEST);
+        mFrame.buffers.bind(1, mFrame.buffers.winding);
+        use(**cover);
+        setMeshColour(**cover, *run.mesh);
+        glUniform1ui((*cover)->at("order"), mFrame.painting.orderOf(*run.mesh));
+        mFrame.drawWholeFrame();
+        glScissor(scissor[0], scissor[1], scissor[2], scissor[3]);
+        return {};
+    }
+
+    Result<void> drawMeshSurroundings(const DrawnElement &mesh)
+    {
+        const Result<const Program *> program = mFrame.programs.meshNear(mReach, mPass == Pass::Coverage);
+        if (!program)
+            return program.error();
+        use(**program);
+        setMeshColour(**program, mesh);
+        glBindVertexArray(mFrame.painting.triangleArray());
+        glEnable(GL_CULL_FACE);
+        glCullFace(GL_FRONT);
+        glDrawArraysInstancedBaseInstance(GL_TRIANGLE_STRIP, 0, 14, GLsizei(mesh.range.count),
+                                          mesh.range.first);
+        ++mFrame.statistics.draws;
+        return {};
+    }
+
+    void drawTriangles(const DrawnElement &mesh)
+    {
+        glBindVertexArray(mFrame.painting.meshArray());
+        glDisable(GL_CULL_FACE);
+        glDrawArrays(GL_TRIANGLES, GLint(3 * mesh.range.first), GLsizei(3 * mesh.range.count));
+        ++mFrame.statistics.draws;
+    }
+
+    void setMeshColour(const Program &program, const DrawnElement &mesh) const
+    {
+        const Eigen::Vector3f colour =
+            inBlendSpace(mFrame.painting.blendSpace(), mLayer.properties.colour.value_or(mesh.meanColour));
+        glUniform4f(program.at("colour"), colour[0], colour[1], colour[2], 1);
+    }
+
+    void use(const Program &program) const
+    {
+        program.use();
+        glUniform1f(program.at("tolerance"), mPass == Pass::Substrate ? 0.f : float(mLayer.tolerance));
+        glUniform1f(program.at("layerOpacity"), float(mLayer.properties.opacity));
+        glUniform1ui(program.at("onlyStack"), GLuint(mOnlyStack.value));
+        glUniform1ui(program.at("orderBase"), mFrame.orderBase);
+        glUniform1i(program.at("peelCount"), peel);
+    }
+
+    FrameContext &mFrame;
+    const DrawnLayer &mLayer;
+    Pass mPass;
+    StackId mOnlyStack;
+    Reach mReach;
+};
+
+} // namespace
+
+Result<void> drawSubstrate(FrameContext &frame, const DrawnLayer &layer, int peel, bool peeling)
+{
+    ElementDrawing drawing(frame, layer, Pass::Substrate, StackId{0});
+    drawing.peel = peel;
+    drawing.isPeeling = peeling;
+    return drawing.draw(frame.lookAt(layer, 0));
+}
+
+Result<void> drawAppearance(FrameContext &frame, const DrawnLayer &layer, const LayerInView &inView,
+                            StackId onlyStack)
+{
+    return ElementDrawing(frame, layer, Pass::Appearance, onlyStack).draw(inView);
+}
+
+Result<void> drawCoverage(FrameContext &frame, const DrawnLayer &layer, const LayerInView &inView,
+                          StackId onlyStack)
+{
+    return ElementDrawing(frame, layer, Pass::Coverage, onlyStack).draw(inView);
+}
+
+double reachMargin(const FrameContext &frame, const DrawnLayer &layer)
+{
+    if (reachOf(layer) != Reach::View)
+        return layer.tolerance;
+    // Along rays, which are longer than their depth away from the middle of the view.
+    const FrameCamera &c = frame.camera;
+    return layer.tolerance *
+           Vec3(std::max(std::abs(c.left), std::abs(c.right)), std::max(std::abs(c.down), std::abs(c.up)), 1)
+               .norm();
+}
+
+} // namespace ductus

@@ -1,0 +1,214 @@
+#include "render/passes/frame_pass.h"
+
+#include "render/passes/element_pass.h"
+
+namespace ductus {
+
+namespace {
+
+/// Layers of one frame are told apart by order; beyond this the private depth is cleared. order.glsl
+constexpr std::uint32_t mostOrders = 1u << 22;
+
+Result<void> drawSubstrates(FrameContext &frame, int peel, bool peeling)
+{
+    frame.bindTarget(frame.buffers.substrateTarget);
+    frame.setScissor(frame.whole());
+    constexpr std::array<float, 4> black{};
+    constexpr std::array<GLuint, 4> nothing{};
+    constexpr float farthest = 0;
+    glDepthMask(GL_TRUE);
+    glClearBufferfv(GL_COLOR, 0, black.data());
+    glClearBufferuiv(GL_COLOR, 1, nothing.data());
+    glClearBufferuiv(GL_COLOR, 2, nothing.data());
+    glClearBufferfv(GL_DEPTH, 0, &farthest);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_GREATER);
+    glDisable(GL_BLEND);
+    if (peeling) {
+        glActiveTexture(GL_TEXTURE4);
+        glBindTexture(frame.buffers.samples() > 1 ? GL_TEXTURE_2D_MULTISAMPLE_ARRAY : GL_TEXTURE_2D_ARRAY,
+                      frame.buffers.peeled.name());
+    }
+    for (const DrawnStack &stack : frame.painting.stacks())
+        if (Result<void> done = drawSubstrate(frame, stack.substrate, peel, peeling); !done)
+            return done;
+    return {};
+}
+
+bool isFixed(BlendMode mode)
+{
+    return mode == BlendMode::Normal || mode == BlendMode::Multiply || mode == BlendMode::Screen;
+}
+
+void setFixedBlending(BlendMode mode)
+{
+    // Premultiplied colours on an opaque backdrop; alpha stays.
+    const GLenum source = mode == BlendMode::Multiply ? GL_DST_COLOR : GL_ONE;
+    const GLenum backdrop = mode == BlendMode::Screen ? GL_ONE_MINUS_SRC_COLOR : GL_ONE_MINUS_SRC_ALPHA;
+    glEnable(GL_BLEND);
+    glBlendFuncSeparate(source, backdrop, GL_ZERO, GL_ONE);
+}
+
+Result<void> composite(FrameContext &frame, const DrawnLayer &layer, const PixelRect &rect)
+{
+    const BlendMode mode = layer.properties.blendMode;
+    const bool fixed = isFixed(mode), masked = hasMasks(layer);
+    const Result<const Program *> program = frame.programs.composite(mode, !fixed, masked);
+    if (!program)
+        return program.error();
+    frame.bindTarget(frame.buffers.colourTarget);
+    frame.setScissor(rect);
+    glDisable(GL_DEPTH_TEST);
+    if (fixed) {
+        setFixedBlending(mode);
+    } else {
+        glDisable(GL_BLEND);
+        frame.buffers.makeReadable(rect.left, rect.bottom, rect.width(), rect.height());
+        frame.buffers.bind(2, frame.buffers.backdrop());
+    }
+    frame.buffers.bind(1, frame.buffers.layer);
+    if (masked)
+        frame.buffers.bind(3, frame.buffers.mask);
+    (*program)->use();
+    glUniform1f((*program)->at("opacity"), float(layer.properties.opacity));
+    frame.drawWholeFrame();
+    return {};
+}
+
+Result<void> drawLayer(FrameContext &frame, MaskBlocks &blocks, const DrawnLayer &layer,
+                       const PixelRect &within, StackId onlyStack)
+{
+    const LayerInView inView = frame.lookAt(layer, reachMargin(frame, layer));
+    const PixelRect rect = inView.rect.cutBy(within);
+    if (rect.isEmpty())
+        return {};
+    frame.bindTarget(frame.buffers.layerTarget);
+    glDepthMask(GL_TRUE);
+    if (frame.orderBase + layer.elements.size() >= mostOrders) {
+        constexpr float first = 1;
+        frame.setScissor(frame.whole());
+        glClearBufferfv(GL_DEPTH, 0, &first);
+        frame.orderBase = 0;
+    }
+    frame.setScissor(rect);
+    constexpr std::array<float, 4> none{};
+    glClearBufferfv(GL_COLOR, 0, none.data());
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    if (Result<void> done = drawAppearance(frame, layer, inView, onlyStack); !done)
+        return done;
+    frame.orderBase += layer.orderCount;
+    if (hasMasks(layer))
+        if (Result<void> done = drawMasks(frame, blocks, layer, rect, onlyStack); !done)
+            return done;
+    return composite(frame, layer, rect);
+}
+
+Result<void> drawAppearances(FrameContext &frame, MaskBlocks &blocks)
+{
+    frame.orderBase = mostOrders; // the first layer clears
+    frame.buffers.bind(0, frame.buffers.surface);
+    PixelRect all;
+    for (const DrawnStack &stack : frame.painting.stacks()) {
+        PixelRect rect;
+        for (const DrawnElement &element : stack.substrate.elements)
+            rect = rect.with(frame.screen.rect(element.centre, element.radius));
+        all = all.with(rect);
+        for (const DrawnLayer &layer : stack.appearance)
+            if (Result<void> done = drawLayer(frame, blocks, layer, rect, stack.id); !done)
+                return done;
+    }
+    for (const DrawnLayer &layer : frame.painting.sceneLayers())
+        if (Result<void> done = drawLayer(frame, blocks, layer, all, sceneStackId); !done)
+            return done;
+    return {};
+}
+
+/// The surface that is ready goes behind those before it.
+Result<void> accumulate(FrameContext &frame)
+{
+    const Result<const Program *> program = frame.programs.accumulate();
+    if (!program)
+        return program.error();
+    frame.bindTarget(frame.buffers.accumulatedTarget);
+    frame.setScissor(frame.whole());
+    glDisable(GL_DEPTH_TEST);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_ONE);
+    frame.buffers.bind(1, frame.buffers.colour);
+    (*program)->use();
+    frame.drawWholeFrame();
+    return {};
+}
+
+Result<void> drawPeels(FrameContext &frame, MaskBlocks &blocks)
+{
+    if (Result<void> room = frame.buffers.addPeeling(mostSurfaces); !room)
+        return room;
+    frame.bindTarget(frame.buffers.accumulatedTarget);
+    frame.setScissor(frame.whole());
+    constexpr std::array<float, 4> none{};
+    glClearBufferfv(GL_COLOR, 0, none.data());
+    for (int peel = 0; peel < mostSurfaces; ++peel) {
+        AnySamples anything;
+        anything.begin();
+        if (Result<void> done = drawSubstrates(frame, peel, true); !done)
+            return done;
+        if (!anything.end())
+            break;
+        ++frame.statistics.peels;
+        frame.buffers.keepPeeled(peel);
+        if (Result<void> done = drawAppearances(frame, blocks); !done)
+            return done;
+        if (Result<void> done = accumulate(frame); !done)
+            return done;
+    }
+    return {};
+}
+
+} // namespace
+
+bool needsPeeling(const PaintingUpload &painting)
+{
+    return std::any_of(painting.stacks().begin(), painting.stacks().end(),
+                       [](const DrawnStack &stack) { return stack.substrate.isTranslucent; });
+}
+
+Result<void> drawFrame(FrameContext &frame, MaskBlocks &blocks)
+{
+    glViewport(0, 0, frame.buffers.width(), frame.buffers.height());
+    glEnable(GL_SCISSOR_TEST);
+    glEnable(GL_DEPTH_CLAMP);
+    frame.painting.bindElements();
+    if (needsPeeling(frame.painting))
+        return drawPeels(frame, blocks);
+    if (Result<void> done = drawSubstrates(frame, 0, false); !done)
+        return done;
+    return drawAppearances(frame, blocks);
+}
+
+Result<void> presentFrame(FrameContext &frame, bool transparent, int x, int y)
+{
+    const Result<const Program *> program = frame.programs.present();
+    if (!program)
+        return program.error();
+    const bool peeled = needsPeeling(frame.painting);
+    const Eigen::Vector3f background = inBlendSpace(frame.painting.blendSpace(), frame.painting.background());
+    glViewport(x, y, frame.buffers.width(), frame.buffers.height());
+    glScissor(x, y, frame.buffers.width(), frame.buffers.height());
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_BLEND);
+    frame.buffers.bind(1, peeled ? frame.buffers.accumulated : frame.buffers.colour);
+    (*program)->use();
+    const float alpha = transparent ? 0.f : 1.f;
+    glUniform4f((*program)->at("background"), alpha * background[0], alpha * background[1],
+                alpha * background[2], alpha);
+    glUniform2i((*program)->at("corner"), x, y);
+    glUniform1i((*program)->at("isPremultiplied"), peeled);
+    frame.drawWholeFrame();
+    return {};
+}
+
+} // namespace ductus

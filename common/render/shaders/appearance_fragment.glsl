@@ -1,0 +1,48 @@
+// Strokes that colour what lies inside them or within their tolerance.
+layout(location = 0) out vec4 outColour; // premultiplied, in blend space; 1 for masks
+
+uniform float tolerance;
+
+#ifdef SURFACE_TOLERANCE
+vec3 reachAt(vec3 x)
+{
+    vec3 reach = mix(sReachA, sReachB, parameter(x));
+    float l = length(reach);
+    return l > 0.0 ? reach / l : vec3(0.0);
+}
+#endif
+
+bool covers(vec3 x, vec3 direction)
+{
+#if defined(VIEW_TOLERANCE)
+    vec2 along = interval(x, direction);
+    return along.x <= tolerance && along.y >= -tolerance && along.x <= along.y;
+#elif defined(SURFACE_TOLERANCE)
+    vec3 reach = reachAt(x);
+    if (reach == vec3(0.0))
+        return contains(x);
+    vec2 along = interval(x, reach);
+    return along.x <= tolerance && along.y >= -tolerance && along.x <= along.y;
+#else
+    return contains(x);
+#endif
+}
+
+void main()
+{
+    uvec2 found = FRAME_TEXEL(surfaces).xy;
+    if (!isColoured(found))
+        discard;
+    vec3 direction = rayThrough(FRAGMENT_PLACE);
+    vec3 x = uintBitsToFloat(found.y) * direction;
+    // Far from the axis nothing can cover; most of a box is.
+    if (!covers(x, direction))
+        discard;
+#ifdef COVERAGE_ONLY
+    outColour = vec4(1.0);
+#else
+    vec4 colour = colourAt(parameter(x));
+    outColour = vec4(colour.rgb * colour.a, colour.a);
+    gl_FragDepth = orderDepth(sElement.y);
+#endif
+}
