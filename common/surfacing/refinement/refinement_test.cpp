@@ -25,10 +25,10 @@ Stroke line(const Vec3 &a, const Vec3 &b)
 }
 
 // Edges of the box and two lines across each face in both directions; above the top the plateau.
-StrokeSet sketch(bool withPlateau)
+StrokeSet sketch(bool withPlateau, bool isTopDivided)
 {
     BoxSketchOptions box{halfBox, 0.6, step, {}};
-    if (withPlateau) // the top has only its rim and what is drawn below
+    if (withPlateau || !isTopDivided) // the top has only its rim and what is drawn below
         box.isLeftOut = [](const Vec3 &a, const Vec3 &b) {
             const auto isInner = [](double x) { return std::abs(x) < 1.0; };
             return a.y() == 1.0 && b.y() == 1.0 && (isInner(a.x()) || isInner(a.z())) &&
@@ -59,11 +59,10 @@ StrokeSet sketch(bool withPlateau)
 class Scene
 {
 public:
-    explicit Scene(bool withPlateau = false)
+    explicit Scene(bool withPlateau = false, bool isTopDivided = true)
         : mesh(boxProxy()), topology(mesh), nearest(mesh),
-          association(*associate(sketch(withPlateau), mesh, topology, {}, {})), domain{mesh,    topology,
-                                                                                       nearest, association,
-                                                                                       frame,   plane}
+          association(*associate(sketch(withPlateau, isTopDivided), mesh, topology, {}, {})),
+          domain{mesh, topology, nearest, association, frame, plane}
     {
     }
 
@@ -174,6 +173,8 @@ class RefinementTest : public QObject
 private slots:
     void mergeMakesOneRegionOfThree();
     void newRegionBringsBackALostDetail();
+    void newRegionOnAFlatFaceTakesItsCell();
+    void newRegionOnAnUndividedFaceStaysNear();
     void lockKeepsARegionFromALaterMerge();
     void splitAlongALine();
     void splitAroundARing();
@@ -226,6 +227,43 @@ void RefinementTest::newRegionBringsBackALostDetail()
     for (double x : {-0.8, 0.8})
         for (double z : {-0.8, 0.8})
             QCOMPARE(scene.labelAt(*after, inside + plateauHalf * Vec3(x, 0, z)), label);
+}
+
+// Two lines in each direction divide the top into nine cells of one plane.
+void RefinementTest::newRegionOnAFlatFaceTakesItsCell()
+{
+    const Scene scene;
+    const auto before = scene.solution(faceOf);
+    const auto after =
+        scene.after(before, {scribble(ScribbleKind::NewRegion, {onTop(-0.05, 0.0), onTop(0.05, 0.0)})});
+    const int label = scene.labelAt(*after, onTop(0.0, 0.0));
+    const double edgeX = 0.6 * halfBox.x(), edgeZ = 0.6 * halfBox.z(), near = 0.03;
+    int inside = 0;
+    for (std::size_t v = 0; v < scene.mesh.vertices.size(); ++v) {
+        const Vec3 &p = scene.mesh.vertices[v];
+        if (!isOnTop(p))
+            continue;
+        const double x = std::abs(p.x()), z = std::abs(p.z());
+        if (x < edgeX - near && z < edgeZ - near) {
+            QCOMPARE(after->segmentation.labels[v], label);
+            ++inside;
+        } else if (x > edgeX + near || z > edgeZ + near) {
+            QVERIFY(after->segmentation.labels[v] != label);
+        }
+    }
+    QVERIFY(inside > 10);
+}
+
+void RefinementTest::newRegionOnAnUndividedFaceStaysNear()
+{
+    const Scene scene(false, false);
+    const auto before = scene.solution(faceOf);
+    const auto after =
+        scene.after(before, {scribble(ScribbleKind::NewRegion, {onTop(-0.05, 0.0), onTop(0.05, 0.0)})});
+    const int label = scene.labelAt(*after, onTop(0.0, 0.0));
+    QCOMPARE(scene.labelAt(*after, onTop(0.05, 0.02)), label);
+    QVERIFY(scene.labelAt(*after, onTop(0.2, 0.0)) != label);
+    QVERIFY(scene.labelAt(*after, onTop(0.0, 0.15)) != label);
 }
 
 void RefinementTest::lockKeepsARegionFromALaterMerge()

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 namespace ductus {
 
@@ -17,6 +18,8 @@ constexpr double lockCost = 1e3;
 constexpr double seamCost = 1.0;
 // A split drawn this near to a stroke meant the stroke. Share of the box diagonal.
 constexpr double snappingDistance = 0.04;
+// What a scribble for a new region takes where no stroke says how far it goes. Share of the box diagonal.
+constexpr double nearScribble = 0.04;
 
 Error refusal(std::string problem, std::string remedy)
 {
@@ -77,11 +80,89 @@ private:
     std::vector<int> &labels() { return mEffect.start.labels; }
     int idAt(int vertex) { return mEffect.start.models[std::size_t(labels()[std::size_t(vertex)])].id; }
 
+    // On a flat region the new model is the old one once more and would take all of it. So it gets the cells
+    // between strokes it was drawn in and those it fits better; where no stroke divides the region, what lies
+    // near the scribble.
     void newRegion()
     {
+        const std::vector<std::vector<int>> parts = touchedParts();
         forget(mTouched);
         const int id = addModel(supportNear(mTouched), mTouched, mScribble.degree);
         want(mTouched, id, mPenalty);
+        const std::vector<double> &costs = *mEffect.start.models.back().costs;
+        for (const std::vector<int> &part : parts) {
+            const std::vector<double> &old =
+                *mEffect.start.models[std::size_t(labels()[std::size_t(part.front())])].costs;
+            const std::vector<std::vector<int>> cells = cellsOf(part);
+            if (cells.size() == 1 && !isBetter(part, costs, old)) {
+                keepNear(part, id);
+                continue;
+            }
+            for (const std::vector<int> &cell : cells)
+                if (!isTouched(cell) && !isBetter(cell, costs, old))
+                    for (int v : cell)
+                        mEffect.constraints.preferences.push_back({v, id, false, mPenalty});
+        }
+    }
+
+    // Vertices of \a part by the cells that strokes divide it into.
+    std::vector<std::vector<int>> cellsOf(const std::vector<int> &part) const
+    {
+        std::vector<char> open(mDomain.association.pointsOfVertex.size(), 0);
+        for (int v : part)
+            open[std::size_t(v)] = 1;
+        std::vector<std::vector<int>> cells;
+        for (int start : part) {
+            if (!std::exchange(open[std::size_t(start)], 0))
+                continue;
+            std::vector<int> cell{start};
+            for (std::size_t next = 0; next < cell.size(); ++next)
+                for (int e : mDomain.topology.vertexEdges[std::size_t(cell[next])]) {
+                    const int w = mDomain.topology.neighbour(cell[next], e);
+                    if (!mDomain.association.edgeIsCrossed[std::size_t(e)] &&
+                        std::exchange(open[std::size_t(w)], 0))
+                        cell.push_back(w);
+                }
+            cells.push_back(std::move(cell));
+        }
+        return cells;
+    }
+
+    bool isTouched(const std::vector<int> &vertices) const
+    {
+        return std::any_of(vertices.begin(), vertices.end(), [this](int v) {
+            return std::find(mTouched.begin(), mTouched.end(), v) != mTouched.end();
+        });
+    }
+
+    // By more than strokes tremble: a quarter of epsilon in the mean, and a fifth of what was off.
+    bool isBetter(const std::vector<int> &vertices, const std::vector<double> &costs,
+                  const std::vector<double> &old) const
+    {
+        double gain = 0.0, all = 0.0, pairs = 0.0;
+        for (int v : vertices) {
+            gain += old[std::size_t(v)] - costs[std::size_t(v)];
+            all += old[std::size_t(v)];
+            pairs += double(mDomain.association.pointsOfVertex[std::size_t(v)].size());
+        }
+        return gain > 0.2 * all && gain > pairs / (16.0 * std::max(mDomain.association.pairCount, 1));
+    }
+
+    void keepNear(const std::vector<int> &part, int id)
+    {
+        std::vector<int> near;
+        for (int v : part) {
+            double nearest = nearScribble;
+            for (int w : mTouched)
+                nearest = std::min(
+                    nearest,
+                    (mDomain.proxy.vertices[std::size_t(v)] - mDomain.proxy.vertices[std::size_t(w)]).norm());
+            if (nearest < nearScribble)
+                near.push_back(v);
+            else
+                mEffect.constraints.preferences.push_back({v, id, false, mPenalty});
+        }
+        want(near, id, mPenalty);
     }
 
     // The thesis asks for the new model under the scribble only; here the regions it touched are not to come
