@@ -96,7 +96,7 @@ double sat(const Eigen::Vector3d &c)
 
 Eigen::Vector3d clipColour(Eigen::Vector3d c)
 {
-    const double l = lum(c);
+    const double l = std::clamp(lum(c), 0.0, 1.0); // white must not become more than white
     const double n = c.minCoeff();
     const double x = c.maxCoeff();
     const Eigen::Vector3d grey = Eigen::Vector3d::Constant(l);

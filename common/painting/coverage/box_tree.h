@@ -16,7 +16,8 @@ public:
 
     bool isEmpty() const { return mNodes.empty(); }
 
-    /// Calls visit(thing) for all whose box touches \a query.
+    /// Calls visit(thing) once for all whose box touches \a query, and for some near by: leaves are not
+    /// looked into. So do the others.
     void forBox(const Box3 &query, const std::function<void(int)> &visit) const;
 
     /// Calls visit(thing) for all whose box the ray enters at most \a limit away, roughly from near to far;

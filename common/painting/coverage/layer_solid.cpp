@@ -11,8 +11,9 @@ namespace {
 Coating coatingOf(const SegmentData &segment, const Vec3 &x)
 {
     const float t = float(segmentParameter(segment, x));
-    return {int(segment.element), (1 - t) * segment.colourA + t * segment.colourB,
-            double((1 - t) * segment.opacityA + t * segment.opacityB)};
+    const Eigen::Vector3f mixed = (1 - t) * segment.colourA + t * segment.colourB;
+    return {int(segment.element), mixed.cwiseMax(0).cwiseMin(1), // rounding
+            std::clamp(double((1 - t) * segment.opacityA + t * segment.opacityB), 0.0, 1.0)};
 }
 
 } // namespace

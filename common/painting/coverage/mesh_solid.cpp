@@ -120,8 +120,9 @@ Eigen::Vector3f MeshSolid::colour(const MeshHit &hit) const
 {
     const Triangle &t = mMesh.triangles[std::size_t(hit.triangle)];
     const Eigen::Vector3f w = hit.barycentric.cast<float>();
-    return w[0] * mColours[std::size_t(t[0])] + w[1] * mColours[std::size_t(t[1])] +
-           w[2] * mColours[std::size_t(t[2])];
+    const Eigen::Vector3f mixed = w[0] * mColours[std::size_t(t[0])] + w[1] * mColours[std::size_t(t[1])] +
+                                  w[2] * mColours[std::size_t(t[2])];
+    return mixed.cwiseMax(0).cwiseMin(1); // rounding
 }
 
 } // namespace ductus

@@ -156,7 +156,7 @@ private:
             return;
         }
         const Vec3 acrossB = a.across.dot(b.across) < 0 ? Vec3(-b.across) : b.across;
-        const int parts = std::max(1, int(std::ceil(mTurns[i] * 36 / std::numbers::pi - 1e-6)));
+        const int parts = std::max(1, int(std::ceil(mTurns[i] * 90 / std::numbers::pi - 1e-6)));
         const bool openA = joinedA && isOpen(i), openB = joinedB && isOpen(i + 1);
         for (int k = 0; k < parts; ++k) {
             const Station from = between(a, b, acrossB, double(k) / parts);
@@ -177,7 +177,7 @@ private:
     /// Whether flat neighbours meet so exactly at a shared plane that it need not be skin.
     bool isOpen(std::size_t i) const
     {
-        return mChords[i - 1].dot(mChords[i]) > 0.998 && std::max(mTurns[i - 1], mTurns[i]) < 0.06;
+        return mChords[i - 1].dot(mChords[i]) > 0.998 && std::max(mTurns[i - 1], mTurns[i]) < 0.03;
     }
 
     static Station between(const Station &a, const Station &b, const Vec3 &acrossB, double t)

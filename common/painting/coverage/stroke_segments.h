@@ -12,7 +12,7 @@ namespace ductus {
 ///
 /// Frames as Quill's: T the mean direction of both neighbours, U = normal x T, V = T x U. Sections are the
 /// same under half a turn, so that U may change its sign from a point to the next; where it turns by more
-/// than 5 degrees between two points, the segment is cut into shorter ones. Points at one place are one
+/// than 2 degrees between two points, the segment is cut into shorter ones. Points at one place are one
 /// point, as wide as the widest. Neighbours share the mitre plane where the stroke is smooth; at sharp bends,
 /// sudden widths and where points are denser than hands are steady, round segments keep their whole balls and
 /// flat ones end on their own, with a piece between that fills the wedge. A stroke of one place is a dab: a
