@@ -10,7 +10,8 @@ namespace {
 
 using Candidate = std::pair<double, int>; // squared distance, index
 
-// Visits the nodes of a range, the side of the query first; reach() is the squared distance still of interest.
+// Visits the nodes of a range, the side of the query first; reach() is the squared distance still of
+// interest.
 template <typename Reach, typename Visit>
 void descend(const std::vector<Vec3> &points, const std::vector<int> &order, int begin, int end, int axis,
              const Vec3 &query, const Reach &reach, const Visit &visit)
@@ -46,9 +47,11 @@ void PointTree::split(int begin, int end, int axis)
     if (end - begin < 2)
         return;
     const int middle = begin + (end - begin) / 2;
-    std::nth_element(mOrder.begin() + begin, mOrder.begin() + middle, mOrder.begin() + end, [&](int a, int b) {
-        return std::make_pair(mPoints[std::size_t(a)][axis], a) < std::make_pair(mPoints[std::size_t(b)][axis], b);
-    });
+    std::nth_element(mOrder.begin() + begin, mOrder.begin() + middle, mOrder.begin() + end,
+                     [&](int a, int b) {
+                         return std::make_pair(mPoints[std::size_t(a)][axis], a) <
+                                std::make_pair(mPoints[std::size_t(b)][axis], b);
+                     });
     split(begin, middle, (axis + 1) % 3);
     split(middle + 1, end, (axis + 1) % 3);
 }
@@ -80,11 +83,12 @@ std::vector<int> PointTree::within(const Vec3 &query, double radius) const
 {
     const double squared = radius * radius;
     std::vector<int> indices;
-    descend(mPoints, mOrder, 0, int(mOrder.size()), 0, query, [&] { return squared; },
-            [&](const Candidate &candidate) {
-                if (candidate.first <= squared)
-                    indices.push_back(candidate.second);
-            });
+    descend(
+        mPoints, mOrder, 0, int(mOrder.size()), 0, query, [&] { return squared; },
+        [&](const Candidate &candidate) {
+            if (candidate.first <= squared)
+                indices.push_back(candidate.second);
+        });
     std::sort(indices.begin(), indices.end());
     return indices;
 }

@@ -1,5 +1,5 @@
-// Nearest points of a point set: a balanced k-d tree. Equal distances are ordered by index, so that answers do not
-// depend on how the tree was built.
+// Nearest points of a point set: a balanced k-d tree. Equal distances are ordered by index, so that answers
+// do not depend on how the tree was built.
 #pragma once
 
 #include "geometry/triangle_mesh.h"

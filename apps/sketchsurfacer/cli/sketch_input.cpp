@@ -3,6 +3,7 @@
 #include "formats/sketch_file.h"
 #include "project/project_reader.h"
 #include "sketchsurfacer/document/project_conversion.h"
+#include "surfacing/sketch/point_cloud.h"
 
 #include <algorithm>
 
@@ -41,14 +42,15 @@ Result<SketchInput> readStrokes(const std::filesystem::path &path, const JobCont
     if (!sketch)
         return sketch.error();
     if (sketch->isPointCloud)
-        return Error{ErrorCode::Unsupported, "Reading the sketch",
-                     "these " + std::to_string(sketch->strokes.strokes.size()) +
-                         " points do not follow one another: a cloud of points and not drawn strokes",
-                     "Give the points of each stroke in drawing order, with a blank line between strokes",
-                     path.string()};
+        if (const Result<void> isSurface = checkCloudIsSurface(sketch->strokes); !isSurface)
+            return placed(isSurface.error(), path);
     SketchInput input;
     input.strokes = std::move(sketch->strokes);
     input.warnings = std::move(sketch->warnings);
+    if (sketch->isPointCloud)
+        input.warnings.push_back(path.string() + ": these " + std::to_string(input.strokes.strokes.size()) +
+                                 " points do not follow one another: they are taken as points of the surface, and "
+                                 "creases are found by its shape alone");
     return input;
 }
 

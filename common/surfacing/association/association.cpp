@@ -70,6 +70,17 @@ std::vector<std::vector<int>> pointsOfVertices(const Association &a, const Trian
     return result;
 }
 
+// A single point, of a cloud, crosses nothing; it speaks for the nearest edge of its triangle.
+void addLonePoint(const Vec3 &point, const NearestPoint &foot, int stroke, const TriangleMesh &mesh,
+                  const MeshTopology &topology, const std::vector<Vec3> &normals, Association &a)
+{
+    int opposite = 0; // corner whose edge across is nearest
+    foot.barycentric.minCoeff(&opposite);
+    const int edge = topology.faceEdges[std::size_t(foot.triangle)][std::size_t((opposite + 1) % 3)];
+    a.points.push_back({point, interpolatedNormal(mesh, normals, foot)});
+    a.samples.push_back({stroke, edge});
+}
+
 } // namespace
 
 Result<Association> associate(const StrokeSet &strokes, const TriangleMesh &proxy, const MeshTopology &topology,
@@ -94,6 +105,10 @@ Result<Association> associate(const StrokeSet &strokes, const TriangleMesh &prox
         for (std::size_t i = 0; i < feet.size(); ++i)
             feet[i] = nearest.nearest(stroke.points[i]);
         bool reached = false;
+        if (feet.size() == 1 && feet[0].distance <= options.maxDistance) {
+            addLonePoint(stroke.points[0], feet[0], int(s), proxy, topology, normals, a);
+            reached = true;
+        }
         for (std::size_t i = 1; i < feet.size(); ++i) {
             if (feet[i - 1].distance > options.maxDistance || feet[i].distance > options.maxDistance)
                 continue;

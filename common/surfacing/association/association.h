@@ -39,7 +39,7 @@ struct Association
     double countAt(std::size_t v) const { return vertexCounts.empty() ? 1.0 : vertexCounts[v]; }
 };
 
-/// \a strokes in the unit frame; those with roles other than Surface and Boundary are passed over.
+/// \a strokes in the unit frame, single points of a cloud among them; those with roles other than Surface and Boundary are passed over.
 Result<Association> associate(const StrokeSet &strokes, const TriangleMesh &proxy, const MeshTopology &topology,
                               const AssociationOptions &options, const JobControl &control);
 

@@ -57,4 +57,13 @@ double HermiteField::valueAndGradient(const Vec3 &x, Vec3 &gradient) const
     return sum;
 }
 
+HermiteField HermiteField::negated() const
+{
+    HermiteField field = *this;
+    for (Eigen::ArrayXd *weights : {&field.mA, &field.mCx, &field.mCy, &field.mCz})
+        *weights = -*weights;
+    field.mB = -field.mB;
+    return field;
+}
+
 } // namespace ductus

@@ -23,6 +23,9 @@ public:
     double value(const Vec3 &x) const;
     double valueAndGradient(const Vec3 &x, Vec3 &gradient) const;
 
+    /// The same surface with its sides exchanged.
+    HermiteField negated() const;
+
 private:
     Eigen::ArrayXd mX, mY, mZ, mA, mCx, mCy, mCz;
     Eigen::Vector4d mB = Eigen::Vector4d::Zero();

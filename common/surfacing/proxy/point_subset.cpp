@@ -1,5 +1,7 @@
 #include "surfacing/proxy/point_subset.h"
 
+#include "geometry/point_tree.h"
+
 #include <algorithm>
 
 namespace ductus {
@@ -31,6 +33,33 @@ std::vector<int> farthestPoints(const std::vector<Vec3> &points, int count, doub
         next = farthest;
     }
     return chosen;
+}
+
+std::vector<Vec3> spreadOut(const std::vector<Vec3> &points, double minDistance)
+{
+    const PointTree tree(points);
+    std::vector<char> isTaken(points.size(), 0);
+    std::vector<Vec3> kept;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (isTaken[i])
+            continue;
+        for (int j : tree.within(points[i], minDistance))
+            isTaken[std::size_t(j)] = 1;
+        kept.push_back(points[i]);
+    }
+    return kept;
+}
+
+double medianSpacing(const std::vector<Vec3> &points)
+{
+    if (points.size() < 2)
+        return 0.0;
+    const PointTree tree(points);
+    std::vector<double> spacings;
+    for (const Vec3 &p : points)
+        spacings.push_back((points[std::size_t(tree.nearest(p, 2).back())] - p).norm());
+    std::nth_element(spacings.begin(), spacings.begin() + std::ptrdiff_t(spacings.size() / 2), spacings.end());
+    return spacings[spacings.size() / 2];
 }
 
 } // namespace ductus

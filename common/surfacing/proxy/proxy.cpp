@@ -1,12 +1,12 @@
 #include "surfacing/proxy/proxy.h"
 
-#include "geometry/hole_filling.h"
+#include "base/parallel.h"
 #include "geometry/mesh_topology.h"
-#include "geometry/nearest.h"
 #include "geometry/remesh.h"
 #include "strokes/resample.h"
-#include "surfacing/proxy/contour.h"
+#include "surfacing/proxy/field_surface.h"
 #include "surfacing/proxy/least_squares_mesh.h"
+#include "surfacing/proxy/local/local_fit.h"
 #include "surfacing/proxy/point_subset.h"
 #include "surfacing/proxy/proxy_quality.h"
 #include "surfacing/proxy/variational_fit.h"
@@ -54,103 +54,57 @@ Result<TriangleMesh> finished(const TriangleMesh &rough, const std::vector<Vec3>
     return remeshed(*mesh, {evenEdgeLength(*mesh, options.targetVertices), 1, 0.0}, control.part(0.8, 1.0));
 }
 
-struct Neighbourhood
+// Points carried onto a surface they lie near, along its normals.
+std::vector<Vec3> ontoSurface(const std::vector<Vec3> &points, const LocalField &field)
 {
-    const NearestOnMesh &wrap;
-    double band;
+    std::vector<Vec3> result(points.size());
+    parallelFor(0, points.size(), [&](std::size_t i) {
+        result[i] = points[i] - field.value(points[i]) * field.normal(points[i]);
+    }, 64);
+    return result;
+}
 
-    // Negative inside the region the smooth surface may use.
-    double operator()(const Vec3 &x) const
-    {
-        const double distance = wrap.nearest(x).distance;
-        return (wrap.isInside(x) ? -distance : distance) - band;
-    }
+// A contour, and where the finished proxy is drawn to.
+struct Rung
+{
+    TriangleMesh mesh;
+    std::vector<Vec3> targets;
 };
 
-// Points of the wrap far from all strokes, moved in by the offset the wrap keeps.
-std::vector<Vec3> fillersOf(const Wrap &wrap, const std::vector<Vec3> &strokePoints, const ProxyOptions &options)
+Result<Rung> denseRung(const std::vector<Vec3> &points, const Wrap &wrap, bool isOpen, double lambda,
+                       const ProxyOptions &options, const JobControl &control)
 {
-    std::vector<Vec3> candidates;
-    for (int t = 0; t < wrap.mesh.triangleCount(); ++t) {
-        const Triangle &corners = wrap.mesh.triangles[std::size_t(t)];
-        const Vec3 &a = wrap.mesh.vertices[std::size_t(corners[0])], &b = wrap.mesh.vertices[std::size_t(corners[1])],
-                   &c = wrap.mesh.vertices[std::size_t(corners[2])];
-        const double size = std::max({(a - b).norm(), (b - c).norm(), (c - a).norm()});
-        const int n = std::max(1, int(std::ceil(3.0 * size / options.fillerDistance)));
-        const Vec3 inwards = options.wrap.offset * wrap.mesh.faceNormal(t);
-        for (int i = 0; i < n; ++i)
-            for (int j = 0; i + j < n; ++j) {
-                const double u = (i + 1.0 / 3) / n, v = (j + 1.0 / 3) / n;
-                candidates.push_back(a + u * (b - a) + v * (c - a) - inwards);
-            }
-    }
-    std::vector<Vec3> far;
-    for (const Vec3 &p : candidates) {
-        double nearest = 1.0;
-        for (const Vec3 &q : strokePoints)
-            nearest = std::min(nearest, (p - q).squaredNorm());
-        if (nearest > options.fillerDistance * options.fillerDistance)
-            far.push_back(p);
-    }
-    std::vector<Vec3> fillers;
-    for (int i : farthestPoints(far, options.fitPoints / 2, options.fillerDistance))
-        fillers.push_back(far[std::size_t(i)]);
-    return fillers;
-}
-
-Result<HermiteField> fitField(const std::vector<Vec3> &strokePoints, const Wrap &wrap, bool isOpen, double lambda,
-                              const ProxyOptions &options, const JobControl &control)
-{
-    std::vector<Vec3> points = isOpen ? std::vector<Vec3>() : fillersOf(wrap, strokePoints, options);
-    VariationalFitOptions fitOptions;
-    fitOptions.pointLambdas.assign(points.size(),
-                                   std::max(options.leastFillerLambda, options.fillerLambda * lambda));
-    for (int i : farthestPoints(strokePoints, options.fitPoints - int(points.size()), 1e-3))
-        points.push_back(strokePoints[std::size_t(i)]);
-    fitOptions.pointLambdas.resize(points.size(), lambda);
-    std::vector<Vec3> prior;
-    const NearestOnMesh nearestWrap(wrap.mesh);
-    for (const Vec3 &p : points)
-        prior.push_back(wrap.mesh.faceNormal(nearestWrap.nearest(p).triangle));
-    const Result<VariationalFit> fit = fitVariational(points, prior, fitOptions, control);
-    if (!fit)
-        return fit.error();
-    return fit->field;
-}
-
-Result<TriangleMesh> variationalRung(const std::vector<Vec3> &points, const Wrap &wrap, bool isOpen, double lambda,
-                                     const ProxyOptions &options, const JobControl &control)
-{
-    const Result<HermiteField> field = fitField(points, wrap, isOpen, lambda, options, control.part(0.0, 0.5));
+    const Result<HermiteField> field = wholeShapeField(points, wrap, isOpen, lambda, options, control.part(0.0, 0.5));
     if (!field)
         return field.error();
-    const NearestOnMesh nearestWrap(wrap.mesh);
-    const Neighbourhood neighbourhood{nearestWrap, options.domainBand};
-    Box3 box = boundingBox(wrap.mesh.vertices);
-    const double cell = 1.0 / options.cellsAlongDiagonal;
-    box.min.array() -= options.domainBand + 2 * cell;
-    box.max.array() += options.domainBand + 2 * cell;
+    Result<TriangleMesh> mesh =
+        surfaceOfField([&](const Vec3 &x) { return field->value(x); }, points, wrap, isOpen,
+                       1.0 / options.cellsAlongDiagonal, options, control.part(0.5, 1.0));
+    if (!mesh)
+        return mesh.error();
+    return Rung{std::move(*mesh), points};
+}
 
-    // Everything outside the neighbourhood counts as outside the shape, so the contour is closed: by a cap there.
-    const ScalarField capped = [&](const Vec3 &x) { return std::max(field->value(x), neighbourhood(x)); };
-    Result<TriangleMesh> contour =
-        contourFromSeeds(capped, points, box, {cell, 3'000'000, 2}, control.part(0.5, 1.0));
-    if (!contour || !isOpen)
-        return contour;
-
-    TriangleMesh open = *contour;
-    open.triangles.clear();
-    for (int t = 0; t < contour->triangleCount(); ++t) {
-        const Vec3 centre = contour->centroid(t);
-        const bool isCap = neighbourhood(centre) > -0.25 * cell && field->value(centre) < 0.0;
-        if (!isCap)
-            open.triangles.push_back(contour->triangles[std::size_t(t)]);
-    }
-    Result<TriangleMesh> sheet = repaired(withoutStrayComponents(compacted(open), points));
-    if (!sheet)
-        return sheet;
-    const std::vector<std::vector<int>> loops = borderLoops(*sheet);
-    return loops.empty() ? *sheet : withHolesFilled(*sheet, options.holeShare * loopLength(*sheet, loops.front()));
+Result<Rung> localRung(const std::vector<Vec3> &points, const Wrap &wrap, bool isOpen, double lambda,
+                       const ProxyOptions &options, const JobControl &control)
+{
+    const Result<HermiteField> rough = wholeShapeField(points, wrap, isOpen, lambda, options, control.part(0.0, 0.2));
+    if (!rough)
+        return rough.error();
+    double spacing = options.leastLocalSpacing;
+    std::vector<Vec3> spread = spreadOut(points, spacing);
+    while (int(spread.size()) > options.mostLocalPoints)
+        spread = spreadOut(spread, spacing *= 1.25);
+    const Result<LocalFit> fit = fitLocally(spread, *rough, options.local, control.part(0.2, 0.7));
+    if (!fit)
+        return fit.error();
+    // As fine as the points are close, within reason.
+    const double cell = std::clamp(1.3 * medianSpacing(spread), 1.0 / 250, 1.0 / options.cellsAlongDiagonal);
+    Result<TriangleMesh> mesh = surfaceOfField([&](const Vec3 &x) { return fit->field.value(x); }, spread, wrap,
+                                               isOpen, cell, options, control.part(0.7, 1.0));
+    if (!mesh)
+        return mesh.error();
+    return Rung{std::move(*mesh), ontoSurface(spread, fit->field)};
 }
 
 } // namespace
@@ -159,6 +113,7 @@ std::string_view proxyKindName(ProxyKind kind)
 {
     switch (kind) {
     case ProxyKind::Variational: return "variational";
+    case ProxyKind::Local: return "local";
     case ProxyKind::Wrap: return "wrap";
     case ProxyKind::Given: return "given";
     }
@@ -192,30 +147,39 @@ Result<Proxy> makeProxy(const StrokeSet &strokes, const ProxyOptions &options, c
         return lambda.error();
     if (!lambda)
         remark(lambda.error().problem);
-    for (double smoothing : {1.0, options.retrySmoothing}) {
-        if (!options.allowVariational || !lambda)
-            break;
-        Result<TriangleMesh> rung =
-            variationalRung(points, *wrap, isOpen, smoothing * *lambda, options, control.part(0.3, 0.7));
+    struct Attempt
+    {
+        ProxyKind kind;
+        double smoothing;
+    };
+    std::vector<Attempt> attempts{{ProxyKind::Variational, 1.0}, {ProxyKind::Variational, options.retrySmoothing}};
+    if (int(spreadOut(points, options.denseSpacing).size()) > options.mostDensePoints)
+        attempts.insert(attempts.begin(), {ProxyKind::Local, 1.0});
+    if (!options.allowVariational || !lambda)
+        attempts.clear();
+    for (const Attempt &attempt : attempts) {
+        const auto makeRung = attempt.kind == ProxyKind::Local ? localRung : denseRung;
+        Result<Rung> rung =
+            makeRung(points, *wrap, isOpen, attempt.smoothing * *lambda, options, control.part(0.3, 0.7));
         if (rung)
-            rung = withoutStrayComponents(*rung, points);
+            rung->mesh = withoutStrayComponents(rung->mesh, points);
         if (rung)
-            if (const std::optional<std::string> fault = proxyFault(*rung, wrap->mesh, points, options.quality)) {
+            if (const std::optional<std::string> fault = proxyFault(rung->mesh, wrap->mesh, points, options.quality)) {
                 remark(*fault);
                 continue;
             }
-        if (rung)
-            rung = finished(*rung, points, options, control.part(0.7, 1.0));
-        if (!rung) {
-            if (rung.error().isCancelled())
-                return rung.error();
-            remark(rung.error().problem);
+        Result<TriangleMesh> mesh =
+            rung ? finished(rung->mesh, rung->targets, options, control.part(0.7, 1.0)) : rung.error();
+        if (!mesh) {
+            if (mesh.error().isCancelled())
+                return mesh.error();
+            remark(mesh.error().problem);
             continue;
         }
-        proxy.mesh = std::move(*rung);
-        proxy.kind = ProxyKind::Variational;
+        proxy.mesh = std::move(*mesh);
+        proxy.kind = attempt.kind;
         proxy.isOpen = isOpen;
-        proxy.lambda = smoothing * *lambda;
+        proxy.lambda = attempt.smoothing * *lambda;
         return proxy;
     }
     Result<TriangleMesh> mesh = finished(wrap->mesh, points, options, control.part(0.7, 1.0));

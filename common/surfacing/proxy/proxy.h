@@ -2,6 +2,8 @@
 // from a mesh made elsewhere; always remeshed to even triangles and attracted to the strokes.
 //
 // The ladder, first rung that stands wins:
+//   0. local, only where there are more well-spread points than the dense solver takes (dense sketches, clouds of
+//      points): the same field in many small pieces, local/local_fit.h;
 //   1. variational: the smooth field of variational_fit.h, contoured inside the neighbourhood of the wrap. For a solid
 //      the wrap also says, loosely, where the surface is between the strokes, and the contour is closed; for a shell
 //      (wrap_proxy.h, or where boundary strokes are marked) the contour ends with the neighbourhood;
@@ -13,6 +15,7 @@
 #include "base/result.h"
 #include "strokes/stroke.h"
 #include "surfacing/proxy/lambda_choice.h"
+#include "surfacing/proxy/local/local_fit_options.h"
 #include "surfacing/proxy/proxy_quality.h"
 #include "surfacing/proxy/wrap_proxy.h"
 
@@ -33,11 +36,16 @@ struct ProxyOptions
     double leastFillerLambda = 1e-4; // ... and at least this (unit frame)
     double holeShare = 0.35;         // shells: border loops shorter than this share of the longest are closed
     bool allowVariational = true;    // off: wrap only
+    double denseSpacing = 0.02;      // a sketch of more points this far apart ...
+    int mostDensePoints = 1000;      // ... than this is fitted in pieces
+    double leastLocalSpacing = 1e-3; // of the points fitted in pieces, which are ...
+    int mostLocalPoints = 30'000;    // ... at most so many
+    LocalFitOptions local;
     ProxyQualityLimits quality;
     WrapOptions wrap;
 };
 
-enum class ProxyKind { Variational, Wrap, Given };
+enum class ProxyKind { Variational, Wrap, Given, Local };
 
 struct Proxy
 {

@@ -26,7 +26,7 @@ struct Covariance
 };
 
 // Rows of C and blocks of the gradient covariance; columns are gradients, all x then all y then all z.
-void assemble(const std::vector<Vec3> &p, const Eigen::VectorXd &lambda, Covariance &cov)
+void assemble(const std::vector<Vec3> &p, const Eigen::VectorXd &lambda, double slopeRidge, Covariance &cov)
 {
     const Eigen::Index n = Eigen::Index(p.size());
     cov.K.setZero(n + 4, n + 4);
@@ -52,6 +52,8 @@ void assemble(const std::vector<Vec3> &p, const Eigen::VectorXd &lambda, Covaria
             cov.C(n + 1 + k, k * n + j) = 1.0;
         }
     });
+    for (int k = 0; k < 3; ++k)
+        cov.K(n + 1 + k, n + 1 + k) = -slopeRidge;
 }
 
 // S -= C^T K^-1 C, lower triangle, in column stripes that both cores share.
@@ -113,7 +115,7 @@ Result<VariationalFit> fitVariational(const std::vector<Vec3> &points, const std
     if (n < 8)
         return Error{ErrorCode::TooLittleData, attempted, "there are fewer than eight different points",
                      "Draw more strokes, or give a proxy mesh", ""};
-    if (isFlat(points))
+    if (!(options.slopeRidge > 0.0) && isFlat(points))
         return Error{ErrorCode::NoSolution, attempted, "all points lie in one plane",
                      "Draw strokes in depth, or give a proxy mesh", ""};
 
@@ -122,7 +124,7 @@ Result<VariationalFit> fitVariational(const std::vector<Vec3> &points, const std
     if (!options.pointLambdas.empty())
         lambda = Eigen::Map<const Eigen::VectorXd>(options.pointLambdas.data(), n);
     Covariance cov;
-    assemble(points, lambda, cov);
+    assemble(points, lambda, options.slopeRidge, cov);
     eliminateValues(cov);
     if (control.isCancelled())
         return cancelledError(attempted);

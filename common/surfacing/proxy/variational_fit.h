@@ -20,6 +20,7 @@ struct VariationalFitOptions
 {
     double lambda = 0.0;       // nugget, in (unit frame)^3; 0 interpolates
     std::vector<double> pointLambdas; // instead, one a point; empty: lambda for all
+    double slopeRidge = 0.0;   // energy of a unit slope of the polynomial; > 0 admits points in one plane
     int maxIterations = 120;   // of L-BFGS a start
     double tolerance = 1e-6;   // relative decrease that ends it
 };

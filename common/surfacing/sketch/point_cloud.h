@@ -12,8 +12,8 @@ bool isPointCloud(const StrokeSet &strokes);
 /// Without points given twice. Ids and order of the rest are kept.
 StrokeSet cleanedCloud(const StrokeSet &cloud);
 
-/// Refused with TooLittleData or NoSolution where there are too few points for a surface, or where they fill a volume
-/// and lie on none.
+/// Refused with TooLittleData or NoSolution where there are too few points for a surface, or where they fill
+/// a volume and lie on none.
 Result<void> checkCloudIsSurface(const StrokeSet &cloud);
 
 } // namespace ductus
