@@ -15,7 +15,8 @@ SurfacingRequest requestOf(const SketchContent &content)
 
 bool hasSameInput(const SketchContent &before, const SketchContent &after)
 {
-    return before.strokes == after.strokes && before.givenProxy == after.givenProxy;
+    return before.strokes == after.strokes && before.givenProxy == after.givenProxy &&
+           before.reading == after.reading;
 }
 
 SurfaceOptions defaultSurfaceOptions()

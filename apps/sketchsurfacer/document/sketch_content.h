@@ -10,12 +10,21 @@
 
 namespace ductus {
 
+/// What the user took a sketch for where it leaves more than one surface open
+/// (surfacing/pipeline/ambiguity.h).
+struct ChosenReading
+{
+    std::shared_ptr<const SurfacingState> labelled; // to be extracted
+    std::shared_ptr<const StrokeSet> strokes;       // it is a reading of
+};
+
 struct SketchContent
 {
     std::shared_ptr<const StrokeSet> strokes = std::make_shared<const StrokeSet>();
     std::shared_ptr<const TriangleMesh> givenProxy; // null: made automatically
     SurfaceOptions options;
     std::vector<Scribble> scribbles;
+    std::shared_ptr<const ChosenReading> reading; // null: the likeliest
     /// Names this content in the process: equal numbers mean equal content. Given by SketchDocument.
     std::uint64_t id = 0;
     /// Results of contents with a smaller id are nothing to continue from: the user asked for a fresh start.
@@ -25,7 +34,8 @@ struct SketchContent
 /// What the solver gets.
 SurfacingRequest requestOf(const SketchContent &content);
 
-/// Whether a state made of \a before may be continued for \a after: same strokes, same given proxy.
+/// Whether a state made of \a before may be continued for \a after: same strokes, same given proxy, same
+/// reading of them.
 bool hasSameInput(const SketchContent &before, const SketchContent &after);
 
 /// The options the window begins with: automatic symmetry.

@@ -55,6 +55,8 @@ void SketchDocument::setOptions(const QString &text, const SurfaceOptions &optio
 {
     SketchContent content = mContent;
     content.options = options;
+    if (restartFrom(mContent.options, options) <= SurfacingStage::Segmentation)
+        content.reading = nullptr; // the regions are found anew
     if (restartFrom(mContent.options, options) != SurfacingStage::Nothing)
         edit(text, std::move(content), drag);
 }
@@ -94,19 +96,55 @@ void SketchDocument::clearScribbles()
 
 StrokeId SketchDocument::addStroke(const std::vector<Vec3> &points, StrokeRole role)
 {
+    return addStrokes({points}, role).front();
+}
+
+std::vector<StrokeId> SketchDocument::addStrokes(const std::vector<std::vector<Vec3>> &lines, StrokeRole role)
+{
     StrokeSet next = strokes();
-    Stroke stroke;
-    stroke.id.value = 0;
+    int free = 0;
     for (const Stroke &other : next.strokes)
-        stroke.id.value = std::max(stroke.id.value, other.id.value + 1);
-    stroke.role = role;
-    stroke.points = points;
-    const StrokeId id = stroke.id;
-    next.strokes.push_back(std::move(stroke));
+        free = std::max(free, other.id.value + 1);
+    std::vector<StrokeId> ids;
+    for (const std::vector<Vec3> &points : lines) {
+        Stroke stroke;
+        stroke.id.value = free++;
+        stroke.role = role;
+        stroke.points = points;
+        ids.push_back(stroke.id);
+        next.strokes.push_back(std::move(stroke));
+    }
     SketchContent content = mContent;
     content.strokes = std::make_shared<const StrokeSet>(std::move(next));
     edit(tr("Draw stroke"), std::move(content));
-    return id;
+    return ids;
+}
+
+void SketchDocument::moveStrokes(const std::vector<StrokeId> &ids, const Vec3 &way)
+{
+    StrokeSet next = strokes();
+    int moved = 0;
+    for (Stroke &stroke : next.strokes)
+        if (contains(ids, stroke.id)) {
+            for (Vec3 &p : stroke.points)
+                p += way;
+            ++moved;
+        }
+    if (moved == 0 || way.isZero(0.0))
+        return;
+    SketchContent content = mContent;
+    content.strokes = std::make_shared<const StrokeSet>(std::move(next));
+    edit(moved == 1 ? tr("Move stroke") : tr("Move %n strokes", nullptr, moved), std::move(content));
+}
+
+std::optional<SymmetryPlane> SketchDocument::symmetryPlane() const
+{
+    if (mContent.options.symmetry == SymmetryMode::Given)
+        return mContent.options.symmetryPlane;
+    if (mContent.options.symmetry == SymmetryMode::Auto && mShown && mShown->surface &&
+        mShown->surface->symmetry)
+        return mShown->surface->symmetry->plane;
+    return std::nullopt;
 }
 
 void SketchDocument::deleteStrokes(const std::vector<StrokeId> &ids)
@@ -127,6 +165,7 @@ void SketchDocument::setGivenProxy(std::shared_ptr<const TriangleMesh> proxy)
         return;
     SketchContent content = mContent;
     content.givenProxy = std::move(proxy);
+    content.reading = nullptr;
     const QString text = content.givenProxy ? tr("Use proxy from file") : tr("Make proxy automatically");
     edit(text, std::move(content));
 }
@@ -143,9 +182,19 @@ void SketchDocument::setUnit(double metresPerUnit, UpAxis up)
     edit(tr("Change unit"), std::move(content));
 }
 
+void SketchDocument::chooseReading(std::shared_ptr<const SurfacingState> labelled)
+{
+    SketchContent content = mContent;
+    content.reading =
+        std::make_shared<const ChosenReading>(ChosenReading{std::move(labelled), mContent.strokes});
+    content.scribbles.clear();
+    edit(tr("Choose another surface"), std::move(content));
+}
+
 void SketchDocument::startAnew()
 {
     SketchContent content = mContent;
+    content.reading = nullptr;
     content.startsAnewFrom = mLastId + 1; // the id it is about to get
     edit(tr("Surface anew"), std::move(content));
 }

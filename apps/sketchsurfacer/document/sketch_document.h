@@ -47,9 +47,17 @@ public:
     void clearScribbles();
     /// The id of the new stroke.
     StrokeId addStroke(const std::vector<Vec3> &points, StrokeRole role = StrokeRole::Surface);
+    /// Several in one step of the history; the ids of the new strokes.
+    std::vector<StrokeId> addStrokes(const std::vector<std::vector<Vec3>> &lines,
+                                     StrokeRole role = StrokeRole::Surface);
+    /// By \a way, in the unit of the sketch.
+    void moveStrokes(const std::vector<StrokeId> &strokes, const Vec3 &way);
     void deleteStrokes(const std::vector<StrokeId> &strokes);
     void setGivenProxy(std::shared_ptr<const TriangleMesh> proxy);
     void setUnit(double metresPerUnit, UpAxis up);
+    /// Another surface the strokes allow: \a labelled is of the present strokes. Scribbles go, as they were
+    /// about the former one.
+    void chooseReading(std::shared_ptr<const SurfacingState> labelled);
     /// The next surface does not continue from the ones before. After many small edits of strokes it may come
     /// out otherwise than all of them in one.
     void startAnew();
@@ -62,6 +70,8 @@ public:
     std::shared_ptr<const SurfacingState> result() const;
     /// What is to be seen: the result, or a preview of it, or the last one as long as there is none.
     std::shared_ptr<const SurfacingState> shownResult() const { return mShown; }
+    /// The plane the sketch is mirrored at, as given or as it was found by the surface that is shown.
+    std::optional<SymmetryPlane> symmetryPlane() const;
     bool isUpToDate() const { return result() != nullptr; }
     /// A state to continue from and the content it was made of; null if everything must be made. Of the same
     /// strokes and proxy if there is one (see hasSameInput), else one whose labels changed strokes can be

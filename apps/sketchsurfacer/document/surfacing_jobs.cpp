@@ -48,8 +48,12 @@ void SurfacingJobs::start()
     if (mDocument.isEmpty() || mDocument.isUpToDate() || mRunningId == content.id)
         return;
     SketchContent madeOf;
-    const StatePointer before = mDocument.startingPoint(&madeOf);
-    const bool sameInput = before && hasSameInput(madeOf, content);
+    StatePointer before = mDocument.startingPoint(&madeOf);
+    bool sameInput = before && hasSameInput(madeOf, content);
+    if (!sameInput && content.reading && content.reading->strokes == content.strokes) {
+        before = content.reading->labelled;
+        sameInput = true;
+    }
     const QPointer<SurfacingJobs> self(this);
     auto work = [content, before, sameInput, self,
                  runner = &mRunner](const JobControl &control) -> Result<StatePointer> {
@@ -66,6 +70,8 @@ void SurfacingJobs::start()
                     },
                     Qt::QueuedConnection);
         };
+        if (sameInput && before->hasLabels() && !before->hasSurface())
+            onPreview(*before);
         Result<SurfacingState> state =
             resurface(before ? *before : SurfacingState(), requestOf(content), sameInput, onPreview, control);
         if (!state)

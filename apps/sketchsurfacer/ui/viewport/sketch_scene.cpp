@@ -86,8 +86,8 @@ SketchScene::SketchScene() : mMain(newRenderer()), mLeft(newRenderer())
             mMain->AddActor(actor(item));
     }
     // Colours that say something stay near themselves, also in the shade.
-    for (const SceneItem item :
-         {SceneItem::Regions, SceneItem::Deviation, SceneItem::Strokes, SceneItem::Sketch}) {
+    for (const SceneItem item : {SceneItem::Regions, SceneItem::Deviation, SceneItem::Ambiguity,
+                                 SceneItem::Strokes, SceneItem::Sketch}) {
         actor(item)->GetProperty()->SetAmbient(0.34);
         actor(item)->GetProperty()->SetDiffuse(0.68);
     }

@@ -15,8 +15,19 @@
 namespace ductus {
 
 /// What the scene is made of; the strokes of the left half of a comparison are those of the sketch.
-enum class SceneItem { Strokes, Sketch, Proxy, Regions, Surface, Deviation, Scribbles, Creases, Ground };
-inline constexpr int sceneItemCount = 9;
+enum class SceneItem {
+    Strokes,
+    Sketch,
+    Proxy,
+    Regions,
+    Surface,
+    Deviation,
+    Ambiguity,
+    Scribbles,
+    Creases,
+    Ground
+};
+inline constexpr int sceneItemCount = 10;
 
 class SketchScene
 {

@@ -70,6 +70,14 @@ void SketchView::setExtent(const Box3 &box, UpAxis up, double metresPerUnit)
     moved();
 }
 
+SceneItem SketchView::shownMesh() const
+{
+    const SceneItem item = meshOfMode(mMode);
+    return item == SceneItem::Regions && mAmbiguityShown && mScene.has(SceneItem::Ambiguity)
+               ? SceneItem::Ambiguity
+               : item;
+}
+
 double SketchView::strokeRadius() const
 {
     return mExtent.isEmpty() ? 0.001 : mExtent.diagonal() / 620;
@@ -77,9 +85,16 @@ double SketchView::strokeRadius() const
 
 void SketchView::rebuildTubes()
 {
+    mTubesAreOld = true;
+    showItems();
+}
+
+void SketchView::buildTubes()
+{
+    mTubesAreOld = false;
     ShadedMesh tubes, sketch;
     // Thinner where a surface is what one looks at.
-    const bool isAlone = mMode == ViewMode::Sketch || !mScene.has(meshOfMode(mMode));
+    const bool isAlone = mMode == ViewMode::Sketch || !mScene.has(shownMesh());
     const double radius = strokeRadius();
     for (const ViewLine &line : mStrokes)
         appendTube(line.points, radius * line.width * (isAlone ? 1.0 : 0.8),
@@ -89,7 +104,8 @@ void SketchView::rebuildTubes()
             appendTube(line.points, radius * line.width, line.colours, 6, sketch);
     mScene.setMesh(SceneItem::Strokes, tubes);
     mScene.setMesh(SceneItem::Sketch, sketch);
-    showItems();
+    mScene.setVisible(SceneItem::Strokes, mStrokesShown || mMode == ViewMode::Sketch);
+    mScene.setVisible(SceneItem::Sketch, true);
 }
 
 void SketchView::setStrokes(const std::vector<ViewLine> &lines)
@@ -109,10 +125,10 @@ void SketchView::setScribbles(const std::vector<ViewLine> &lines)
 
 void SketchView::setMesh(SceneItem item, const ViewMesh &mesh)
 {
-    const bool hadMesh = mScene.has(item);
+    const bool hadMesh = mScene.has(shownMesh());
     mMeshes[std::size_t(item)] = mesh;
     mScene.setMesh(item, mesh.shaded);
-    if (mScene.has(item) != hadMesh && item == meshOfMode(mMode))
+    if (mScene.has(shownMesh()) != hadMesh)
         rebuildTubes(); // strokes look otherwise alone
     else
         showItems();
@@ -151,6 +167,14 @@ void SketchView::setScribblesShown(bool shown)
     showItems();
 }
 
+void SketchView::setAmbiguityShown(bool shown)
+{
+    if (shown == mAmbiguityShown)
+        return;
+    mAmbiguityShown = shown;
+    showItems();
+}
+
 void SketchView::setComparison(std::optional<double> divider)
 {
     const bool starts = divider.has_value() != mDivider.has_value();
@@ -173,13 +197,13 @@ void SketchView::setDark(bool dark)
 
 void SketchView::showItems()
 {
-    const SceneItem mesh = meshOfMode(mMode);
-    for (const SceneItem item :
-         {SceneItem::Proxy, SceneItem::Regions, SceneItem::Surface, SceneItem::Deviation})
+    const SceneItem mesh = shownMesh();
+    for (const SceneItem item : {SceneItem::Proxy, SceneItem::Regions, SceneItem::Surface,
+                                 SceneItem::Deviation, SceneItem::Ambiguity})
         mScene.setVisible(item, mMode != ViewMode::Sketch && item == mesh);
     const bool hasSurface =
         mMode == ViewMode::Surface || mMode == ViewMode::Deviation || mMode == ViewMode::Regions;
-    mScene.setVisible(SceneItem::Creases, hasSurface && mScene.has(mesh) && mMode != ViewMode::Regions);
+    mScene.setVisible(SceneItem::Creases, hasSurface && mScene.has(mesh) && mesh != SceneItem::Regions);
     mScene.setVisible(SceneItem::Strokes, mStrokesShown || mMode == ViewMode::Sketch);
     mScene.setVisible(SceneItem::Sketch, true);
     mScene.setVisible(SceneItem::Scribbles, hasSurface && (mScribblesShown || mMode == ViewMode::Regions));
@@ -236,10 +260,24 @@ void SketchView::zoomBy(double factor)
     moved();
 }
 
+void SketchView::turnBy(double rounds)
+{
+    mCamera.turn(rounds);
+    moved();
+}
+
+QImage SketchView::smoothPicture()
+{
+    const bool before = std::exchange(mIsSmooth, true);
+    QImage picture = grabFramebuffer();
+    mIsSmooth = before;
+    return picture;
+}
+
 const ViewMesh &SketchView::pickMesh() const
 {
     static const ViewMesh none;
-    return mMode == ViewMode::Sketch ? none : mMeshes[std::size_t(meshOfMode(mMode))];
+    return mMode == ViewMode::Sketch ? none : mMeshes[std::size_t(shownMesh())];
 }
 
 std::optional<RayHit> SketchView::surfaceAt(const QPointF &position) const
@@ -308,6 +346,8 @@ void SketchView::prepareFrame()
         mCamera.frame(mExtent);
         mFramed = true;
     }
+    if (mTubesAreOld)
+        buildTubes();
     mScene.setSmoothEdges(mIsSmooth);
     mScene.follow(mCamera, mMode == ViewMode::Sketch ? std::nullopt : mDivider);
 }

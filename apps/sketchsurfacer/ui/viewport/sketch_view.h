@@ -46,7 +46,7 @@ public:
     void setExtent(const Box3 &box, UpAxis up, double metresPerUnit);
     void setStrokes(const std::vector<ViewLine> &lines);
     void setScribbles(const std::vector<ViewLine> &lines);
-    /// \a item: Proxy, Regions, Surface or Deviation; a mesh without triangles empties it.
+    /// \a item: Proxy, Regions, Surface, Deviation or Ambiguity; a mesh without triangles empties it.
     void setMesh(SceneItem item, const ViewMesh &mesh);
     void setCreases(const std::vector<std::vector<Vec3>> &lines);
     void setGround(const GroundShadow &shadow);
@@ -56,6 +56,9 @@ public:
     void setStrokesShown(bool shown);
     /// Also outside the view of the regions.
     void setScribblesShown(bool shown);
+    /// In the view of the regions the mesh of SceneItem::Ambiguity instead, as soon as there is one.
+    void setAmbiguityShown(bool shown);
+    bool isAmbiguityShown() const { return mAmbiguityShown; }
     bool areStrokesShown() const { return mStrokesShown; }
     /// Share of the width left of which the sketch alone is seen; nothing: no comparison.
     void setComparison(std::optional<double> divider);
@@ -74,6 +77,10 @@ public:
     void forgetFraming() { mFramed = false; }
     void orbitBy(const QPointF &pixels);
     void zoomBy(double factor);
+    /// Around the up axis, 1: a whole round.
+    void turnBy(double rounds);
+    /// The picture as it is now with smooth edges, in device pixels.
+    QImage smoothPicture();
     double metresPerUnit() const { return mMetresPerUnit; }
     Box3 extent() const { return mExtent; }
 
@@ -108,10 +115,12 @@ protected:
 private:
     enum class Drag { None, Tool, Orbit, Pan, Divider };
 
+    SceneItem shownMesh() const;
     void showItems();
     void moved();
     double strokeRadius() const;
     void rebuildTubes();
+    void buildTubes();
     void drawSmoothly();
 
     SketchScene mScene;
@@ -125,6 +134,7 @@ private:
     ViewMode mMode = ViewMode::Sketch;
     bool mStrokesShown = true;
     bool mScribblesShown = false;
+    bool mAmbiguityShown = false;
     bool mDark = true;
     std::optional<double> mDivider;
     Drag mDrag = Drag::None;
@@ -133,6 +143,7 @@ private:
     bool mFramed = false;
     QTimer mAtRest;
     bool mIsSmooth = false;
+    bool mTubesAreOld = false; // built once before the next frame, however much has changed
 };
 
 } // namespace ductus

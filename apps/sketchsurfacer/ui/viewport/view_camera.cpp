@@ -113,6 +113,12 @@ void ViewCamera::orbit(const QPointF &pixels)
     mTarget = pivot + inView.x() * right() + inView.y() * up() + inView.z() * forward();
 }
 
+void ViewCamera::turn(double rounds)
+{
+    mPivot.reset();
+    mAzimuth = std::remainder(mAzimuth + rounds * 2.0 * std::numbers::pi, 2.0 * std::numbers::pi);
+}
+
 void ViewCamera::pan(const QPointF &pixels)
 {
     const double scale = 2.0 * halfHeight() / mViewport.height();

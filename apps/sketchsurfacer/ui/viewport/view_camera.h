@@ -37,6 +37,8 @@ public:
     /// Drags by \a pixels: orbit keeps the horizon level; pan moves what lies at the target along.
     void orbit(const QPointF &pixels);
     void pan(const QPointF &pixels);
+    /// Around the up axis through the target, \a rounds of 360 degrees.
+    void turn(double rounds);
     /// \a factor < 1 comes nearer; what is under \a position stays there.
     void zoom(double factor, const QPointF &position);
     /// Turns around \a point from now on, without a jump of the picture.

@@ -31,6 +31,12 @@ ViewOverlay::ViewOverlay(SketchView &view) : QWidget(&view), mView(view)
     setFocusPolicy(Qt::NoFocus);
 }
 
+void ViewOverlay::setAmbiguityLegend(const ColourLegend &legend)
+{
+    mAmbiguityLegend = legend;
+    update();
+}
+
 void ViewOverlay::setLegend(const ColourLegend &legend)
 {
     mLegend = legend;
@@ -114,13 +120,16 @@ void ViewOverlay::paintScaleBar(QPainter &painter) const
 
 void ViewOverlay::paintLegend(QPainter &painter) const
 {
-    if (mView.mode() != ViewMode::Deviation || mLegend.colours.empty())
+    const bool isAmbiguity =
+        mView.mode() == ViewMode::Regions && mView.isAmbiguityShown() && mView.hasMesh(SceneItem::Ambiguity);
+    const ColourLegend &legend = isAmbiguity ? mAmbiguityLegend : mLegend;
+    if ((mView.mode() != ViewMode::Deviation && !isAmbiguity) || legend.colours.empty())
         return;
     const QRectF bar(width() - margin - 14, 0.5 * height() - 110, 14, 220);
     QLinearGradient gradient(bar.bottomLeft(), bar.topLeft());
-    const int last = std::max(1, int(mLegend.colours.size()) - 1);
-    for (int i = 0; i < int(mLegend.colours.size()); ++i) {
-        const Rgba &c = mLegend.colours[std::size_t(i)];
+    const int last = std::max(1, int(legend.colours.size()) - 1);
+    for (int i = 0; i < int(legend.colours.size()); ++i) {
+        const Rgba &c = legend.colours[std::size_t(i)];
         gradient.setColorAt(double(i) / last, QColor(c[0], c[1], c[2]));
     }
     painter.setPen(QPen(dimInkOf(mView), 1));
@@ -128,13 +137,16 @@ void ViewOverlay::paintLegend(QPainter &painter) const
     painter.drawRoundedRect(bar, 3, 3);
     painter.setPen(inkOf(mView));
     for (int i = 0; i <= 4; ++i) {
+        if (!legend.low.isEmpty() && i % 4 != 0)
+            continue;
         const double share = i / 4.0;
         const double y = bar.bottom() - share * bar.height();
         painter.drawText(QRectF(bar.left() - 128, y - 9, 120, 18), Qt::AlignRight | Qt::AlignVCenter,
-                         (i == 4 ? QStringLiteral("≥ ") : QString()) +
-                             lengthText(share * mLegend.largestMetres, locale()));
+                         !legend.low.isEmpty() ? (i == 0 ? legend.low : legend.high)
+                                               : (i == 4 ? QStringLiteral("≥ ") : QString()) +
+                                                     lengthText(share * legend.largestMetres, locale()));
     }
-    painter.drawText(QRectF(bar.right() - 260, bar.top() - 34, 260, 18), Qt::AlignRight, mLegend.title);
+    painter.drawText(QRectF(bar.right() - 260, bar.top() - 34, 260, 18), Qt::AlignRight, legend.title);
 }
 
 void ViewOverlay::paintDivider(QPainter &painter) const

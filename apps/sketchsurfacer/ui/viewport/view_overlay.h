@@ -13,12 +13,13 @@ namespace ductus {
 
 class SketchView;
 
-/// A bar of colours from 0 to \a largest.
+/// A bar of colours.
 struct ColourLegend
 {
     QString title;
     std::vector<Rgba> colours; // evenly spaced, from 0
     double largestMetres = 0.0;
+    QString low, high; // words for its ends instead of lengths; empty: lengths
 };
 
 class ViewOverlay : public QWidget
@@ -27,7 +28,9 @@ class ViewOverlay : public QWidget
 public:
     explicit ViewOverlay(SketchView &view);
 
+    /// Of the deviation.
     void setLegend(const ColourLegend &legend);
+    void setAmbiguityLegend(const ColourLegend &legend);
     void setEmptyText(const QString &text);
 
 protected:
@@ -40,7 +43,7 @@ private:
     void paintDivider(QPainter &painter) const;
 
     SketchView &mView;
-    ColourLegend mLegend;
+    ColourLegend mLegend, mAmbiguityLegend;
     QString mEmptyText;
 };
 

@@ -1,6 +1,6 @@
 // "A sharp edge is missing where I forgot a stroke: I draw it on the surface, and the crease appears along
 // it" (thesis Fig. III.17), by mouse and keys on the real window.
-#include "sketchsurfacer/ui/testing/app_under_test.h"
+#include "sketchsurfacer/ui/testing/house_sketch.h"
 #include "support/evaluation.h"
 
 #include "widgets/shell/message_bar.h"
@@ -11,26 +11,6 @@ using namespace ductus;
 using namespace ductus::testing;
 
 namespace {
-
-// A house of which the ridge was not drawn, as other programs would have written it.
-QByteArray houseWithoutRidge()
-{
-    const Solid solid = house();
-    SketchSynthesisOptions options;
-    options.seed = 3;
-    const SyntheticSketch whole = synthesizeSketch(solid, options);
-    QByteArray text;
-    for (std::size_t i = 0; i < whole.strokes.strokes.size(); ++i) {
-        if (solid.curves[std::size_t(whole.strokeCurves[i])].name == "ridge")
-            continue;
-        const std::vector<Vec3> &points = whole.strokes.strokes[i].points;
-        text += "v " + QByteArray::number(int(points.size())) + '\n';
-        for (const Vec3 &p : points)
-            text += QByteArray::number(p.x(), 'g', 17) + ' ' + QByteArray::number(p.y(), 'g', 17) + ' ' +
-                    QByteArray::number(p.z(), 'g', 17) + '\n';
-    }
-    return text;
-}
 
 // Share of the length of \a stroke along which \a mesh has a crease.
 double creaseAlong(const TriangleMesh &mesh, const std::vector<Vec3> &stroke)
@@ -69,19 +49,7 @@ void DrawMissingStrokeTest::initTestCase()
     mApp = std::make_unique<App>();
     SurfacerWindow &window = *mApp->window;
     QVERIFY(QTest::qWaitForWindowExposed(&window));
-    QFile file(mApp->dir.filePath("house.curves"));
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    file.write(houseWithoutRidge());
-    file.close();
-    window.openPath(file.fileName());
-    QTRY_VERIFY(!window.sketch().isEmpty());
-    SurfaceOptions options = window.sketch().content().options;
-    options.symmetry = SymmetryMode::None; // its plane would run along the ridge
-    options.proxy.targetVertices = 3000;
-    options.segmentation.runs = 2;
-    window.sketch().setOptions("Quicker", options);
-    mApp->press(Qt::Key_Return, Qt::ControlModifier);
-    QVERIFY(mApp->waitForResult());
+    QVERIFY(surfaceHouseWithoutRidge(*mApp, 3000, 2));
     QCOMPARE(window.view().mode(), ViewMode::Surface);
     mWithout = mApp->surface();
     mApp->shot("story-1-without");

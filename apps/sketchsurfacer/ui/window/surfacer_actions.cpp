@@ -1,4 +1,5 @@
 // Actions and menus of SketchSurfacer's window.
+#include "sketchsurfacer/ui/viewport/turntable.h"
 #include "sketchsurfacer/ui/window/surfacer_window.h"
 #include "widgets/controls/segmented_switch.h"
 #include "widgets/pages/help_window.h"
@@ -6,6 +7,7 @@
 
 #include <QActionGroup>
 #include <QApplication>
+#include <QFileDialog>
 #include <QMenu>
 
 namespace ductus {
@@ -59,6 +61,30 @@ void SurfacerWindow::addActions()
              {QKeySequence("Ctrl+E")},
              file},
             [this] { exportSurface(); });
+    all.add({"file.picture",
+             tr("Save p&icture..."),
+             tr("Writes what the canvas shows as a PNG file."),
+             "peek",
+             {QKeySequence("Ctrl+P")},
+             file},
+            [this] {
+                const QString path = QFileDialog::getSaveFileName(
+                    this, tr("Save picture"), mSketch.displayName() + QStringLiteral(".png"),
+                    tr("Pictures (*.png)"));
+                if (!path.isEmpty())
+                    savePicture(path);
+            });
+    all.add({"file.turntable",
+             tr("Save t&urntable..."),
+             tr("Writes a round of 72 pictures into a folder, to be made a film of."),
+             {},
+             {},
+             file},
+            [this] {
+                const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder for the pictures"));
+                if (!folder.isEmpty())
+                    saveTurntable(folder, 72);
+            });
     all.add({"edit.paste",
              tr("&Paste sketch"),
              tr("Opens strokes or a path to a file from the clipboard."),
@@ -269,6 +295,30 @@ void SurfacerWindow::addViewActions()
                                       view},
                                      [this](bool on) { mView->setStrokesShown(on); });
     strokes->setChecked(true);
+    all.addToggle({"view.turntable",
+                   tr("T&urntable"),
+                   tr("Turns the view by itself, to look at it from all sides."),
+                   "view-refresh",
+                   {QKeySequence("G")},
+                   view},
+                  [this](bool on) { mTurntable->setTurning(on); });
+    QAction *mirror =
+        all.addToggle({"edit.mirror",
+                       tr("&Mirror drawn strokes"),
+                       tr("Where the sketch is symmetric a stroke comes with its mirror image."),
+                       {},
+                       {QKeySequence("Shift+X")},
+                       tr("Edit")},
+                      [this](bool on) { mTools->setMirrors(on); });
+    mirror->setChecked(true);
+    all.addToggle(
+        {"view.ambiguity",
+         tr("What the sketch leaves &open"),
+         tr("Colours where the strokes allow more than one surface; a click there offers the others."),
+         "help",
+         {QKeySequence("A")},
+         view},
+        [this](bool on) { showAmbiguity(on); });
     all.addToggle({"view.compare",
                    tr("&Compare with the sketch"),
                    tr("A line to drag: the sketch at its left, the surface at its right."),
@@ -290,11 +340,11 @@ void SurfacerWindow::fillMenus()
             list << actions().action(id);
         return list;
     };
-    addToMenu(fileMenu(),
-              named({"file.new", "file.open", "file.start", "file.save", "file.saveAs", "file.export"}));
-    addToMenu(editMenu(), named({"edit.paste", "edit.delete", "edit.selectAll"}));
+    addToMenu(fileMenu(), named({"file.new", "file.open", "file.start", "file.save", "file.saveAs",
+                                 "file.export", "file.picture", "file.turntable"}));
+    addToMenu(editMenu(), named({"edit.paste", "edit.delete", "edit.selectAll", "edit.mirror"}));
     addToMenu(viewMenu(), named({"view.frame", "view.zoomIn", "view.zoomOut", "view.perspective",
-                                 "view.strokes", "view.compare"}));
+                                 "view.strokes", "view.compare", "view.ambiguity", "view.turntable"}));
     QMenu *presets = new QMenu(tr("Look &from"), this);
     presets->addActions(named({"view.front", "view.back", "view.right", "view.left", "view.top",
                                "view.bottom", "view.threeQuarter"}));

@@ -1,9 +1,12 @@
 #include "sketchsurfacer/ui/window/surfacer_window.h"
 
 #include "document/recovery/state_folder.h"
+#include "sketchsurfacer/ui/presentation/ambiguity_presenter.h"
 #include "sketchsurfacer/ui/viewport/length_text.h"
+#include "sketchsurfacer/ui/viewport/turntable.h"
 #include "sketchsurfacer/ui/window/measures_panel.h"
 #include "sketchsurfacer/ui/window/parameter_panel.h"
+#include "sketchsurfacer/ui/window/reading_list.h"
 #include "sketchsurfacer/ui/window/region_list.h"
 #include "sketchsurfacer/ui/window/stroke_panel.h"
 #include "sketchsurfacer/ui/window/surface_button.h"
@@ -13,15 +16,19 @@
 #include "widgets/theme/theme.h"
 
 #include <QActionGroup>
+#include <QFrame>
 #include <QGuiApplication>
 #include <QMouseEvent>
+#include <QScreen>
 #include <QStandardPaths>
+#include <QVBoxLayout>
 #include <algorithm>
 
 namespace ductus {
 
 namespace {
 
+constexpr double worthAsking = 0.2; // from this ambiguity on a click offers other readings
 constexpr int pictureDelayMs = 700; // a result has been drawn by then, and the view stands
 
 } // namespace
@@ -38,7 +45,9 @@ SurfacerWindow::SurfacerWindow(const ShellServices &services, QWidget *parent)
     mView = new SketchView;
     mView->setProperty("helpTopic", "canvas");
     mPresenter = new SketchPresenter(mSketch, jobs(), *mView, this);
+    mAmbiguity = new AmbiguityPresenter(mSketch, jobs(), *mPresenter, *mView, this);
     mTools = new ToolBox(mSketch, *mPresenter, *mView, this);
+    mTurntable = new Turntable(*mView, mView);
     setCanvas(mView);
     mSwitch = new SegmentedSwitch(
         tr("View"),
@@ -71,6 +80,7 @@ SurfacerWindow::~SurfacerWindow()
     // Canvas, tools and presenter look at each other and at the document: in this order, before the members
     // go.
     delete mTools;
+    delete mAmbiguity;
     delete mPresenter;
     setCanvas(nullptr);
 }
@@ -83,6 +93,11 @@ void SurfacerWindow::fillInspector()
     addSection(QStringLiteral("shape"), tr("Shape"), new ParameterPanel(mSketch));
     mRegions = new RegionList;
     addSection(QStringLiteral("regions"), tr("Regions"), mRegions);
+    auto *readings = new ReadingList(*mAmbiguity);
+    connect(readings, &ReadingList::lookRequested, this,
+            [this] { actions().action(QStringLiteral("view.ambiguity"))->trigger(); });
+    connect(readings, &ReadingList::chosen, mAmbiguity, &AmbiguityPresenter::choose);
+    addSection(QStringLiteral("readings"), tr("Other readings"), readings);
     addSection(QStringLiteral("strokes"), tr("Strokes"), new StrokePanel(mSketch, *mPresenter, *mTools));
     mMeasures = new MeasuresPanel(mSketch);
     addSection(QStringLiteral("measures"), tr("Measures"), mMeasures);
@@ -100,6 +115,8 @@ void SurfacerWindow::connectParts()
     connect(mTools, &ToolBox::toolChanged, this, [this] { setHint(mTools->hint()); });
     connect(mTools, &ToolBox::regionClicked, this, [this](int region) { mRegions->choose(region); });
     connect(mTools, &ToolBox::refused, this, [this](const QString &why) { messages()->info(why); });
+    connect(mTools, &ToolBox::surfaceClicked, this, &SurfacerWindow::offerReadings);
+    connect(mAmbiguity, &AmbiguityPresenter::failed, this, [this](const Error &error) { showError(error); });
     connect(&mSurfacing, &SurfacingJobs::failed, this, [this](const Error &error) {
         mFollowsResult = false;
         showError(error, tr("Try again"), [this] { surfaceIt(); });
@@ -156,6 +173,8 @@ void SurfacerWindow::showPointerText(const QPointF &position)
             if (data.isLocked)
                 words << tr("locked");
         }
+        if (const std::optional<double> value = mAmbiguity->valueAt(*hit))
+            words << tr("%1 % open").arg(qRound(100 * *value));
     }
     if (const int line = mView->strokeAt(position); line >= 0) {
         words << tr("stroke %1").arg(mPresenter->strokeId(line).value);
@@ -205,6 +224,43 @@ void SurfacerWindow::showMode(ViewMode mode)
     const QSignalBlocker blocker(mSwitch);
     mSwitch->setCurrent(int(mode));
     mView->setMode(mode);
+}
+
+void SurfacerWindow::showAmbiguity(bool on)
+{
+    if (on && mView->mode() != ViewMode::Regions && mPresenter->resultView())
+        showMode(ViewMode::Regions);
+    mAmbiguity->setOn(on);
+}
+
+void SurfacerWindow::offerReadings(const QPointF &position)
+{
+    const std::optional<RayHit> hit = mView->surfaceAt(position);
+    const std::optional<double> value = hit ? mAmbiguity->valueAt(*hit) : std::nullopt;
+    if (!mView->isAmbiguityShown() || !value || *value < worthAsking || mAmbiguity->shown()->readings.empty())
+        return;
+    auto *frame = new QFrame(this, Qt::Popup);
+    frame->setObjectName(QStringLiteral("readingPopover"));
+    frame->setFrameShape(QFrame::StyledPanel);
+    frame->setAttribute(Qt::WA_DeleteOnClose);
+    auto *rows = new QVBoxLayout(frame);
+    rows->setContentsMargins(12, 12, 12, 12);
+    auto *list = new ReadingList(*mAmbiguity);
+    rows->addWidget(list);
+    frame->setFixedWidth(290);
+    connect(list, &ReadingList::chosen, frame, [this, frame](int reading) {
+        frame->close();
+        mAmbiguity->choose(reading);
+    });
+    frame->adjustSize();
+    const QRect screen = mView->screen()->availableGeometry();
+    QPoint corner = mView->mapToGlobal(position.toPoint()) + QPoint(12, 12);
+    corner.setX(
+        std::clamp(corner.x(), screen.left(), std::max(screen.left(), screen.right() - frame->width())));
+    corner.setY(
+        std::clamp(corner.y(), screen.top(), std::max(screen.top(), screen.bottom() - frame->height())));
+    frame->move(corner);
+    frame->show();
 }
 
 void SurfacerWindow::refreshSwitch()

@@ -15,10 +15,12 @@ class QActionGroup;
 
 namespace ductus {
 
+class AmbiguityPresenter;
 class HelpWindow;
 class MeasuresPanel;
 class RegionList;
 class SegmentedSwitch;
+class Turntable;
 
 class SurfacerWindow : public MainWindowShell
 {
@@ -32,6 +34,7 @@ public:
     SurfacingJobs &surfacing() { return mSurfacing; }
     ToolBox &tools() { return *mTools; }
     SketchPresenter &presenter() { return *mPresenter; }
+    AmbiguityPresenter &ambiguity() { return *mAmbiguity; }
     SegmentedSwitch &viewSwitch() { return *mSwitch; }
     UnsavedWork &unsavedWork() { return mUnsaved; }
     const RecentFiles &recentFiles() const { return mRecent; }
@@ -45,6 +48,10 @@ public:
     void exportSurface();
     /// Writes without a dialog.
     void exportTo(const QString &path, const ExportChoice &choice);
+    /// What the canvas shows, as a PNG file.
+    void savePicture(const QString &path);
+    /// A round of \a count pictures in \a folder, turntable-000.png and so on.
+    void saveTurntable(const QString &folder, int count);
     /// Surfaces, and shows preview and result as they come.
     void surfaceIt();
 
@@ -82,6 +89,8 @@ private:
     void escape();
     void showPointerText(const QPointF &position);
     void showMode(ViewMode mode);
+    void showAmbiguity(bool on);
+    void offerReadings(const QPointF &position);
     bool eventFilter(QObject *watched, QEvent *event) override;
 
     SketchDocument mSketch;
@@ -92,8 +101,10 @@ private:
     QTimer mPictureTimer;
     SketchView *mView = nullptr;
     SketchPresenter *mPresenter = nullptr;
+    AmbiguityPresenter *mAmbiguity = nullptr;
     ToolBox *mTools = nullptr;
     SegmentedSwitch *mSwitch = nullptr;
+    Turntable *mTurntable = nullptr;
     RegionList *mRegions = nullptr;
     MeasuresPanel *mMeasures = nullptr;
     QActionGroup *mToolActions = nullptr;

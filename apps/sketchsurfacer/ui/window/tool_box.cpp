@@ -6,6 +6,8 @@ namespace ductus {
 
 namespace {
 
+constexpr double onPlane = 0.015; // of the diagonal: a line along the mirror plane
+
 QColor colourOf(const Rgba &c)
 {
     return QColor(c[0], c[1], c[2]);
@@ -50,15 +52,22 @@ ToolBox::ToolBox(SketchDocument &document, SketchPresenter &presenter, SketchVie
                [this](const QPointF &at) {
                    mPresenter.setSelection({});
                    emit regionClicked(regionAt(at));
+                   emit surfaceClicked(at);
                },
                [this] {
                    mPresenter.setSelection({});
                    emit regionClicked(-1);
-               }}),
+               },
+               [this](const std::vector<int> &lines, bool extend) { chooseLines(lines, extend); },
+               [this](int line) {
+                   const std::vector<StrokeId> &chosen = mPresenter.selection();
+                   return std::find(chosen.begin(), chosen.end(), mPresenter.strokeId(line)) != chosen.end();
+               },
+               [this](const Vec3 &way) { mDocument.moveStrokes(mPresenter.selection(), way); }}),
       mBrush([this](int line, quint64 drag) {
           mDocument.setRole({mPresenter.strokeId(line)}, mBrushRole, drag);
       }),
-      mDraw([this](const std::vector<Vec3> &points) { mDocument.addStroke(points); }),
+      mDraw([this](const std::vector<Vec3> &points) { addDrawn(points); }),
       mScribble(ScribbleKind::NewRegion, Qt::yellow, 1,
                 [this](const Scribble &scribble) { mDocument.addScribble(scribble); }),
       mLock([this](const QPointF &at) {
@@ -106,8 +115,9 @@ QString ToolBox::hint() const
 {
     switch (mKind) {
     case ToolKind::Select:
-        return tr(
-            "Drag to turn, wheel to zoom, middle button to pan. Click a stroke or a region to choose it.");
+        return tr("Drag to turn, wheel to zoom. Click a stroke or region to choose it, Shift+drag around "
+                  "several; drag chosen "
+                  "strokes to move them.");
     case ToolKind::RoleBrush:
         return tr("Paint over strokes to tell what they mean; the role is chosen in the inspector.");
     case ToolKind::DrawStroke:
@@ -147,6 +157,32 @@ void ToolBox::clickStroke(int line, bool extend)
     else
         chosen.push_back(id);
     mPresenter.setSelection(std::move(chosen));
+}
+
+void ToolBox::chooseLines(const std::vector<int> &lines, bool extend)
+{
+    std::vector<StrokeId> chosen = extend ? mPresenter.selection() : std::vector<StrokeId>();
+    for (int line : lines)
+        if (const StrokeId id = mPresenter.strokeId(line);
+            std::find(chosen.begin(), chosen.end(), id) == chosen.end())
+            chosen.push_back(id);
+    mPresenter.setSelection(std::move(chosen));
+}
+
+void ToolBox::addDrawn(const std::vector<Vec3> &points)
+{
+    std::vector<std::vector<Vec3>> lines{points};
+    if (const std::optional<SymmetryPlane> plane = mDocument.symmetryPlane(); plane && mMirrors) {
+        double farthest = 0.0;
+        std::vector<Vec3> image;
+        for (const Vec3 &p : points) {
+            farthest = std::max(farthest, std::abs(plane->signedDistance(p)));
+            image.push_back(plane->mirrored(p));
+        }
+        if (farthest > onPlane * mDocument.strokes().box().diagonal()) // else it is its own image
+            lines.push_back(std::move(image));
+    }
+    mDocument.addStrokes(lines);
 }
 
 int ToolBox::regionAt(const QPointF &position) const

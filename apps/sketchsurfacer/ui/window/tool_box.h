@@ -44,6 +44,9 @@ public:
     void setBrushRole(StrokeRole role);
     StrokeRole brushRole() const { return mBrushRole; }
 
+    /// Whether drawn strokes come twice where the sketch is symmetric.
+    void setMirrors(bool on) { mMirrors = on; }
+
     /// Locks \a region, or takes its lock away.
     void toggleLock(int region);
     void setDegree(int region, int degree);
@@ -51,12 +54,16 @@ public:
 signals:
     void toolChanged();
     void regionClicked(int region);
+    /// With the arrow, on the surface.
+    void surfaceClicked(const QPointF &position);
     /// A tool cannot do anything here yet; \a why in a sentence.
     void refused(const QString &why);
     void measured(double length);
 
 private:
     void clickStroke(int line, bool extend);
+    void chooseLines(const std::vector<int> &lines, bool extend);
+    void addDrawn(const std::vector<Vec3> &points);
     int regionAt(const QPointF &position) const;
 
     SketchDocument &mDocument;
@@ -69,6 +76,7 @@ private:
     RegionClickTool mLock;
     MeasureTool mMeasure;
     ToolKind mKind = ToolKind::Select;
+    bool mMirrors = true;
     StrokeRole mBrushRole = StrokeRole::Boundary;
 };
 
