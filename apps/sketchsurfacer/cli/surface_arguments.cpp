@@ -77,7 +77,7 @@ public:
                                       QStringLiteral("IN..."));
         mParser.addOptions({mHelp, mOutput, mProxy, mSymmetry, mEpsilon, mSimplicity, mSmoothness, mRuns,
                             mSeed, mVertices, mTightness, mBoundary, mIgnore, mScribbles, mReport, mPicture,
-                            mQuiet});
+                            mAmbiguity, mQuiet});
     }
 
     ParsedSurfaceArguments parse(const QStringList &arguments)
@@ -99,6 +99,7 @@ public:
         a.scribbles = pathOf(mParser.value(mScribbles));
         a.report = pathOf(mParser.value(mReport));
         a.picture = pathOf(mParser.value(mPicture));
+        a.ambiguity = pathOf(mParser.value(mAmbiguity));
         a.quiet = mParser.isSet(mQuiet);
         if (!isMeshExtension(a.output) && !isProjectExtension(a.output))
             return wrong(QStringLiteral("OUT must end in .obj, .ply, .stl, .off, .glb or .ductus"));
@@ -106,11 +107,16 @@ public:
         if (!a.picture.empty() &&
             !mParser.value(mPicture).endsWith(QLatin1String(".png"), Qt::CaseInsensitive))
             return wrong(QStringLiteral("--picture must end in .png"));
-        const std::filesystem::path *outputs[] = {&a.output, &a.report, &a.picture};
-        for (int i = 0; i < 3; ++i)
+        const QString ambiguity = mParser.value(mAmbiguity);
+        if (!ambiguity.isEmpty() && !ambiguity.endsWith(QLatin1String(".png"), Qt::CaseInsensitive) &&
+            !ambiguity.endsWith(QLatin1String(".json"), Qt::CaseInsensitive))
+            return wrong(QStringLiteral("--ambiguity must end in .png or .json"));
+        const std::filesystem::path *outputs[] = {&a.output, &a.report, &a.picture, &a.ambiguity};
+        for (int i = 0; i < 4; ++i)
             for (int j = 0; j < i; ++j)
                 if (!outputs[i]->empty() && !outputs[j]->empty() && isSameFile(*outputs[i], *outputs[j]))
-                    return wrong(QStringLiteral("two of OUT, --report and --picture name the same file"));
+                    return wrong(
+                        QStringLiteral("two of OUT, --report, --picture and --ambiguity name the same file"));
 
         const QString symmetry = mParser.value(mSymmetry);
         if (symmetry == QLatin1String("auto") || symmetry == QLatin1String("none")) {
@@ -245,6 +251,10 @@ private:
         option("report", "Writes timings, energies, regions and deviations as JSON.", "R.json");
     QCommandLineOption mPicture =
         option("picture", "Writes a picture of sketch and surface; needs no display.", "P.png");
+    QCommandLineOption mAmbiguity = option("ambiguity",
+                                           "Writes where the sketch leaves more than one surface open, as a "
+                                           "picture (.png) or in numbers (.json). Takes a while.",
+                                           "A");
     QCommandLineOption mQuiet = option("q/quiet", "No progress on stderr.");
 };
 

@@ -30,6 +30,7 @@ struct SurfaceArguments
     std::filesystem::path scribbles;                  // empty: none
     std::filesystem::path report;                     // empty: none
     std::filesystem::path picture;                    // empty: none
+    std::filesystem::path ambiguity;                  // .png or .json; empty: none
     std::vector<int> boundaryStrokes, ignoredStrokes; // 0-based, in file order
     bool quiet = false;
     SurfaceOptions options; // with the defaults where nothing was given

@@ -52,7 +52,7 @@ void SurfaceArgumentsTest::everyOptionArrives()
         "--simplicity 0.5 --smoothness 3 "
         "--runs 10 --seed 9007199254740991 --proxy-vertices 5000 --tightness 0.25 --boundary 3 --ignore "
         "5,7-9 "
-        "--report r.json --picture p.PNG -q");
+        "--report r.json --picture p.PNG --ambiguity a.json -q");
     QVERIFY2(parsed.arguments, qPrintable(parsed.message));
     const SurfaceArguments &a = *parsed.arguments;
     QCOMPARE(a.inputs, (std::vector<std::filesystem::path>{"in.curves", "more.obj"}));
@@ -61,6 +61,7 @@ void SurfaceArgumentsTest::everyOptionArrives()
     QCOMPARE(a.proxy, std::filesystem::path("m.stl"));
     QCOMPARE(a.report, std::filesystem::path("r.json"));
     QCOMPARE(a.picture, std::filesystem::path("p.PNG"));
+    QCOMPARE(a.ambiguity, std::filesystem::path("a.json"));
     QCOMPARE(int(a.options.symmetry), int(SymmetryMode::Auto));
     QCOMPARE(a.options.segmentation.epsilon, 0.02);
     QCOMPARE(a.options.segmentation.simplicity, 0.5);

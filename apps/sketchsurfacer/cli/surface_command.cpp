@@ -5,6 +5,7 @@
 #include "formats/mesh_file.h"
 #include "formats/png_file.h"
 #include "geometry/remesh.h"
+#include "sketchsurfacer/cli/ambiguity_output.h"
 #include "sketchsurfacer/cli/project_output.h"
 #include "sketchsurfacer/cli/result_picture.h"
 #include "sketchsurfacer/cli/scribble_file.h"
@@ -29,6 +30,7 @@ constexpr char writingMesh[] = "Writing the mesh";
 constexpr char writingProject[] = "Writing the project";
 constexpr char writingReport[] = "Writing the report";
 constexpr char writingPicture[] = "Writing the picture";
+constexpr char writingAmbiguity[] = "Writing what the sketch leaves open";
 
 ExitCode fail(TerminalJob &job, const Error &error)
 {
@@ -54,7 +56,10 @@ Result<void> setRoles(StrokeSet &strokes, const std::vector<int> &ids, StrokeRol
 Result<void> checkOutputs(const SurfaceArguments &a)
 {
     const std::pair<const std::filesystem::path *, const char *> outputs[] = {
-        {&a.output, writingMesh}, {&a.report, writingReport}, {&a.picture, writingPicture}};
+        {&a.output, writingMesh},
+        {&a.report, writingReport},
+        {&a.picture, writingPicture},
+        {&a.ambiguity, writingAmbiguity}};
     for (const auto &[path, attempted] : outputs) {
         if (path->empty())
             continue;
@@ -146,6 +151,15 @@ Result<void> writeOutputs(const SurfaceArguments &a, const SurfacingState &state
         if (Result<void> added = files.add(a.picture, *png, writingPicture); !added)
             return added;
     }
+    if (!a.ambiguity.empty()) {
+        control.progress(0.2, "Trying what else the strokes could mean");
+        const Result<std::vector<std::byte>> bytes =
+            ambiguityBytes(state, a.ambiguity, control.part(0.2, 0.9));
+        if (!bytes)
+            return bytes.error();
+        if (Result<void> added = files.add(a.ambiguity, *bytes, writingAmbiguity); !added)
+            return added;
+    }
     if (isProjectExtension(a.output)) {
         const Result<Bytes> project = projectBytes(state, proxy, scribbles, a.inputs.front().stem().string());
         if (!project)
@@ -230,8 +244,9 @@ ExitCode run(SurfaceArguments &a, TerminalJob &job)
         proxy = std::move(*mesh);
     }
 
+    const double solved = a.ambiguity.empty() ? 0.97 : 0.5;
     const Result<SurfacingState> state =
-        surfaced(sketch->strokes, proxy, scribbles, options, control.part(0.02, 0.97));
+        surfaced(sketch->strokes, proxy, scribbles, options, control.part(0.02, solved));
     if (!state) {
         Error error = state.error();
         if (error.place.empty())
@@ -242,8 +257,8 @@ ExitCode run(SurfaceArguments &a, TerminalJob &job)
     }
     const SurfaceResult *result = state->surface.get();
 
-    control.progress(0.97, "Writing the result");
-    if (Result<void> written = writeOutputs(a, *state, proxy, scribbles, control.part(0.97, 1.0)); !written)
+    control.progress(solved, "Writing the result");
+    if (Result<void> written = writeOutputs(a, *state, proxy, scribbles, control.part(solved, 1.0)); !written)
         return fail(job, written.error());
 
     control.progress(1.0, "Done");
