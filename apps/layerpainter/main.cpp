@@ -2,6 +2,8 @@
 // commands, which need no display.
 #include "layerpainter/cli/import_command.h"
 #include "layerpainter/cli/inspect_commands.h"
+#include "layerpainter/cli/render_command.h"
+#include "layerpainter/cli/replay_command.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
@@ -16,6 +18,8 @@ constexpr const char *usage =
     "\n"
     "Commands (layerpainter COMMAND --help lists the options):\n"
     "  import IN -o P.ductus   a Quill or .tilt painting or a mesh becomes a project\n"
+    "  render IN -o OUT.png    a still, in any look\n"
+    "  replay LOG -o P.ductus  an action log or a script of actions becomes a painting\n"
     "  info P.ductus           what a project holds\n"
     "  validate P.ductus       whether a project is sound\n"
     "\n"
@@ -27,6 +31,10 @@ Command commandOf(const QString &word)
 {
     if (word == QLatin1String("import"))
         return ductus::runImportCommand;
+    if (word == QLatin1String("render"))
+        return ductus::runRenderCommand;
+    if (word == QLatin1String("replay"))
+        return ductus::runReplayCommand;
     if (word == QLatin1String("info"))
         return ductus::runInfoCommand;
     if (word == QLatin1String("validate"))

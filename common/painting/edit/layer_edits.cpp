@@ -207,6 +207,43 @@ Result<Painting> moveLayer(const Painting &painting, LayerId id, StackId stack, 
     return changed;
 }
 
+Result<Painting> renameStack(const Painting &painting, StackId stack, const std::string &name)
+{
+    static const char attempted[] = "Renaming the stack";
+    Painting changed = painting;
+    Stack *found = changed.findStack(stack);
+    if (!found || !found->substrate)
+        return refusal(attempted, found ? "the scene has its name" : "there is no such stack",
+                       "Choose a stack of this painting");
+    found->name = name;
+    found->substrate->name = name;
+    return changed;
+}
+
+Result<AddedLayer> duplicateLayer(const Painting &painting, LayerId layer, const std::string &name)
+{
+    static const char attempted[] = "Duplicating the layer";
+    AddedLayer added{painting, LayerId{painting.nextId}};
+    const Layer *original = painting.findLayer(layer);
+    if (!original)
+        return noSuchLayer(attempted);
+    if (isSubstrate(painting, layer))
+        return refusal(attempted, "a stack has one substrate", "Duplicate its strokes into another layer",
+                       original->name);
+    Layer copy = *original;
+    copy.id = added.layer;
+    copy.name = name;
+    copy.locked = false;
+    ++added.painting.nextId;
+    for (Drawing &drawing : copy.drawings)
+        for (Element &element : drawing.elements)
+            element.id = ElementId{added.painting.nextId++};
+    std::vector<Layer> &layers = added.painting.findStack(painting.stackOf(layer)->id)->appearance;
+    const auto at = std::ranges::find(layers, layer, &Layer::id);
+    layers.insert(at + 1, std::move(copy));
+    return added;
+}
+
 Result<Painting> renameLayer(const Painting &painting, LayerId layer, const std::string &name)
 {
     return changedLayer(painting, layer, "Renaming the layer", true, [&](Layer &l) { l.name = name; });

@@ -29,6 +29,9 @@ Result<Painting> removeStack(const Painting &painting, StackId stack);
 /// \a position as counted after the stack has been taken out.
 Result<Painting> moveStack(const Painting &painting, StackId stack, int position);
 
+/// And its substrate. Refused for the scene stack.
+Result<Painting> renameStack(const Painting &painting, StackId stack, const std::string &name);
+
 /// An empty appearance layer in \a stack (which may be the scene stack); position as for addStack, 0 is
 /// lowest.
 Result<AddedLayer> addAppearanceLayer(const Painting &painting, StackId stack, const std::string &name,
@@ -40,6 +43,9 @@ Result<Painting> removeLayer(const Painting &painting, LayerId layer);
 /// Into the same or another stack; \a position as counted after the layer has been taken out. Refused for
 /// substrates.
 Result<Painting> moveLayer(const Painting &painting, LayerId layer, StackId stack, int position);
+
+/// A copy with all its elements right above it, not locked; only of appearance layers.
+Result<AddedLayer> duplicateLayer(const Painting &painting, LayerId layer, const std::string &name);
 
 Result<Painting> renameLayer(const Painting &painting, LayerId layer, const std::string &name);
 Result<Painting> setLayerLocked(const Painting &painting, LayerId layer, bool locked);

@@ -56,6 +56,18 @@ Result<Painting> applyLook(const Painting &painting, LookId look)
     return changed;
 }
 
+Result<Painting> renameLook(const Painting &painting, LookId look, const std::string &name)
+{
+    Painting changed = painting;
+    for (Look &candidate : changed.looks) {
+        if (candidate.id == look) {
+            candidate.name = name;
+            return changed;
+        }
+    }
+    return noSuchLook("Renaming the look");
+}
+
 Result<Painting> removeLook(const Painting &painting, LookId look)
 {
     Painting changed = painting;

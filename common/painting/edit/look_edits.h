@@ -20,6 +20,7 @@ Result<Painting> updateLook(const Painting &painting, LookId look);
 /// Gives the layers the look's properties; layers made after the look keep theirs. Locks do not matter.
 Result<Painting> applyLook(const Painting &painting, LookId look);
 
+Result<Painting> renameLook(const Painting &painting, LookId look, const std::string &name);
 Result<Painting> removeLook(const Painting &painting, LookId look);
 
 } // namespace ductus

@@ -15,6 +15,7 @@ OrderedJson placementJson(const Placement &placement);
 
 Vec3 readTriple(const JsonReader &reader, std::string_view key);
 Eigen::Quaterniond readRotation(const JsonReader &reader);
+Placement readPlacementOf(const JsonReader &reader);
 /// The member "placement" of \a owner.
 Placement readPlacement(const JsonReader &owner);
 

@@ -37,7 +37,11 @@ Eigen::Quaterniond readRotation(const JsonReader &reader)
 
 Placement readPlacement(const JsonReader &owner)
 {
-    const JsonReader reader = owner.member("placement");
+    return readPlacementOf(owner.member("placement"));
+}
+
+Placement readPlacementOf(const JsonReader &reader)
+{
     Placement placement;
     placement.rotation = readRotation(reader);
     placement.scale = reader.number("scale", smallestPositive, largest);
@@ -58,12 +62,12 @@ void PropertyJsonReader::keep(const JsonReader &object, const std::string &place
 TextureMask PropertyJsonReader::texture(const JsonReader &reader) const
 {
     TextureMask result;
-    mask.placement = readPlacement(reader);
-    mask.width = int(reader.integer("width", 1, 4096));
-    mask.height = int(reader.integer("height", 1, 4096));
-    mask.depth = int(reader.integer("depth", 1, 4096));
-    mask.values = std::make_shared<const std::vector<std::uint8_t>>(mBytes(reader, "values"));
-    return mask;
+    result.placement = readPlacement(reader);
+    result.width = int(reader.integer("width", 1, 4096));
+    result.height = int(reader.integer("height", 1, 4096));
+    result.depth = int(reader.integer("depth", 1, 4096));
+    result.values = std::make_shared<const std::vector<std::uint8_t>>(mBytes(reader, "values"));
+    return result;
 }
 
 Mask PropertyJsonReader::mask(const JsonReader &reader, const std::string &place) const
@@ -115,8 +119,8 @@ LayerProperties PropertyJsonReader::properties(const JsonReader &reader, const s
     result.blendMode = reader.oneOf<BlendMode>("blend", blendModeNames());
     if (reader.has("colour"))
         result.colour = readTriple(reader, "colour").cast<float>();
-    forEach(reader, "masks", [&](const JsonReader &mask, std::size_t i, std::size_t count) {
-        result.masks.push_back(mask(mask, listPlace(place, "mask", i, count)));
+    forEach(reader, "masks", [&](const JsonReader &each, std::size_t i, std::size_t count) {
+        result.masks.push_back(mask(each, listPlace(place, "mask", i, count)));
     });
     keep(reader, place, {"visible", "opacity", "blend", "colour", "masks"});
     return result;

@@ -188,6 +188,22 @@ std::vector<double> JsonReader::numbers(std::string_view key, std::size_t count)
     return std::vector<double>(count, 0.0);
 }
 
+std::vector<std::vector<double>> JsonReader::rows(std::string_view key, std::size_t maxCount,
+                                                  std::size_t width) const
+{
+    const nlohmann::json *value = find(key);
+    const auto isFinite = [](const nlohmann::json &v) {
+        return v.is_number() && std::isfinite(v.get<double>());
+    };
+    const auto isRow = [&](const nlohmann::json &row) {
+        return row.is_array() && row.size() == width && std::all_of(row.begin(), row.end(), isFinite);
+    };
+    if (value->is_array() && value->size() <= maxCount && std::all_of(value->begin(), value->end(), isRow))
+        return value->get<std::vector<std::vector<double>>>();
+    failAt(key, kindProblem("an array of rows of " + std::to_string(width) + " numbers"));
+    return {};
+}
+
 std::vector<std::uint64_t> JsonReader::unsignedIntegers(std::string_view key, std::size_t maxCount) const
 {
     const nlohmann::json *value = find(key);

@@ -55,6 +55,9 @@ public:
     std::array<double, 3> triple(std::string_view key) const;
     /// Exactly \a count finite numbers.
     std::vector<double> numbers(std::string_view key, std::size_t count) const;
+    /// At most \a maxCount arrays of \a width finite numbers.
+    std::vector<std::vector<double>> rows(std::string_view key, std::size_t maxCount,
+                                          std::size_t width) const;
     std::vector<std::uint64_t> unsignedIntegers(std::string_view key, std::size_t maxCount) const;
 
     /// The value whose name stands there; \a names pairs of name and value.
