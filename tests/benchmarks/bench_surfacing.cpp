@@ -2,6 +2,7 @@
 // section 3). Exit codes: 0 everything was measured, 1 a measurement failed, 2 wrong usage. A missed target
 // is a finding, not a failure.
 #include "benchmarks/surfacing/benchmark_context.h"
+#include "benchmarks/surfacing/target_summary.h"
 #include "formats/atomic_file.h"
 #include "support/solids.h"
 
@@ -130,6 +131,7 @@ int main(int argc, char **argv)
         report[section.name] = part.json;
         failures += part.failures;
     }
+    printTargetSummary(report, std::cout);
     if (!arguments.json.empty()) {
         const std::string text = report.dump(2) + "\n";
         const Result<void> written =

@@ -5,6 +5,7 @@
 #include "benchmarks/report/resource_meter.h"
 #include "benchmarks/report/table.h"
 #include "benchmarks/surfacing/benchmark_context.h"
+#include "benchmarks/surfacing/cloud_table.h"
 #include "benchmarks/surfacing/published_figures.h"
 #include "benchmarks/surfacing/zero_set.h"
 #include "formats/mesh_file.h"
@@ -138,6 +139,7 @@ SectionReport runProxySection(const BenchmarkContext &context)
                "besides, its least");
     measureSolids(context, table);
     measureFiles(context, table);
+    const Table clouds = printedCloudTable(context);
 
     Table published(context.out, "Published VIPSS program (lambda 0, 100 voxels), fit and contour",
                     {{"input", "input", 16},
@@ -147,7 +149,8 @@ SectionReport runProxySection(const BenchmarkContext &context)
     for (const VipssCost &row : vipssCosts())
         published.add({row.input, double(row.points), row.cpuSeconds, row.megabytes});
     published.note("targets: median distance <= 0.5 %; at 1000 points <= 11.5 CPU s and <= 259 MB");
-    return {{{"measured", table.json()}, {"published", published.json()}}, table.failures()};
+    return {{{"measured", table.json()}, {"clouds", clouds.json()}, {"published", published.json()}},
+            table.failures() + clouds.failures()};
 }
 
 } // namespace ductus
