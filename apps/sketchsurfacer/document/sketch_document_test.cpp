@@ -3,6 +3,7 @@
 #include "document/commands/change_value.h"
 #include "project/project_reader.h"
 #include "project/project_writer.h"
+#include "project/schema_check.h"
 #include "sketchsurfacer/document/sketch_import.h"
 
 #include <QtTest>
@@ -49,6 +50,8 @@ private slots:
     void decisionsSurviveTheFile();
     void refusesBrokenDecisions();
     void readsTheBundledSamples();
+    void startsFromWhatIsSeenWhenStrokesChange();
+    void aReadingIsAnEdit();
 };
 
 void SketchDocumentTest::everyEditIsUndone()
@@ -151,6 +154,9 @@ void SketchDocumentTest::decisionsSurviveTheFile()
 
     const auto bytes = serializedProject(document.snapshot());
     QVERIFY2(bytes.ok(), bytes.ok() ? "" : bytes.error().message().c_str());
+    const auto violations = projectSchemaViolations(std::as_bytes(std::span(bytes->bytes)), "test.ductus");
+    QVERIFY(violations.ok());
+    QVERIFY2(violations->empty(), violations->empty() ? "" : violations->front().c_str());
     auto project = parseProject(std::as_bytes(std::span(bytes->bytes)), "test.ductus");
     QVERIFY2(project.ok(), project.ok() ? "" : project.error().message().c_str());
     SketchDocument reopened;
@@ -180,6 +186,11 @@ void SketchDocumentTest::refusesBrokenDecisions()
             if (name == "scribbles")
                 text = broken;
         project.documents.at(0).sketchSurface = content;
+        const auto bytes = serializedProject(project);
+        QVERIFY(bytes.ok());
+        const auto violations =
+            projectSchemaViolations(std::as_bytes(std::span(bytes->bytes)), "test.ductus");
+        QVERIFY(violations.ok() && !violations->empty()); // other programs are told, too
         SketchDocument other;
         const Result<void> loaded = other.load(std::move(project), {});
         QVERIFY2(!loaded.ok(), broken);
@@ -198,6 +209,66 @@ void SketchDocumentTest::readsTheBundledSamples()
         QVERIFY(sketch->strokes.strokes.size() > 5);
         QVERIFY(!sample.title.isEmpty() && !sample.lesson.isEmpty());
     }
+}
+
+// As the solver leaves it: with labels to go on from.
+static std::shared_ptr<const SurfacingState> labelledResult()
+{
+    auto state = std::make_shared<SurfacingState>(*someResult());
+    state->association = std::make_shared<const Association>();
+    state->labels = std::make_shared<const LabelSolution>();
+    return state;
+}
+
+void SketchDocumentTest::startsFromWhatIsSeenWhenStrokesChange()
+{
+    SketchDocument document;
+    document.start(twoStrokes(), defaultSurfaceOptions(), "two");
+    const auto first = labelledResult(), second = labelledResult();
+    document.setResult(document.content(), first);
+    document.moveStrokes({StrokeId{0}}, {0, 0, 0.1});
+    SketchContent madeOf;
+    QCOMPARE(document.startingPoint(&madeOf), first);
+    QVERIFY(!hasSameInput(madeOf, document.content()));
+    document.setResult(document.content(), second);
+    document.undoStack()->undo(); // first is seen again
+    document.addStrokes({{{0, 0, 0}, {1, 0, 0}}, {{0, 1, 0}, {1, 1, 0}}});
+    QCOMPARE(document.strokes().strokes.size(), std::size_t(4));
+    QCOMPARE(document.startingPoint(&madeOf), first);
+    SurfaceOptions options = document.content().options;
+    options.proxy.wrap.tightness = 0.7; // another proxy: nothing to go on from
+    document.setOptions("Change tightness", options);
+    QVERIFY(!document.startingPoint(&madeOf));
+    document.undoStack()->undo();
+    QCOMPARE(document.startingPoint(&madeOf), first);
+    document.startAnew();
+    QVERIFY(!document.startingPoint(&madeOf));
+}
+
+void SketchDocumentTest::aReadingIsAnEdit()
+{
+    SketchDocument document;
+    document.start(twoStrokes(), defaultSurfaceOptions(), "two");
+    const auto first = labelledResult(), other = labelledResult(), final = labelledResult();
+    document.setResult(document.content(), first);
+    document.addScribble({ScribbleKind::NewRegion, {{0, 0, 0}}, 0});
+    document.chooseReading(other);
+    QVERIFY(!document.isUpToDate());
+    QCOMPARE(document.content().reading->labelled, other);
+    QVERIFY(document.content().scribbles.empty());
+    document.setResult(document.content(), final);
+    document.addScribble({ScribbleKind::Lock, {{0, 0, 0}}, 0});
+    SketchContent madeOf;
+    QCOMPARE(document.startingPoint(&madeOf), final); // and not the first, of the same strokes
+    QVERIFY(hasSameInput(madeOf, document.content()));
+    SurfaceOptions options = document.content().options;
+    options.segmentation.epsilon = 0.02;
+    document.setOptions("Change looseness", options);
+    QVERIFY(!document.content().reading); // the regions are found anew
+    for (int i = 0; i < 3; ++i)
+        document.undoStack()->undo();
+    QVERIFY(!document.content().reading);
+    QCOMPARE(document.content().scribbles.size(), std::size_t(1));
 }
 
 QTEST_MAIN(SketchDocumentTest)
