@@ -1,7 +1,7 @@
 // "Where does my sketch say too little, and what else could it mean?": the map, and taking another reading,
 // by mouse and keys.
 #include "sketchsurfacer/ui/presentation/ambiguity_presenter.h"
-#include "sketchsurfacer/ui/testing/house_sketch.h"
+#include "support/house_sketch.h"
 
 #include <QToolButton>
 #include <QtTest>

@@ -1,7 +1,7 @@
 // "A sharp edge is missing where I forgot a stroke: I draw it on the surface, and the crease appears along
 // it" (thesis Fig. III.17), by mouse and keys on the real window.
-#include "sketchsurfacer/ui/testing/house_sketch.h"
 #include "support/evaluation.h"
+#include "support/house_sketch.h"
 
 #include "widgets/shell/message_bar.h"
 
