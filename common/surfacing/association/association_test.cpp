@@ -78,6 +78,7 @@ private slots:
     void farStrokesAreNamed();
     void nothingNearIsRefused();
     void otherRolesAreIgnored();
+    void lonePointsSpeakForTheirTriangle();
     void cancelled();
 };
 
@@ -251,6 +252,33 @@ void AssociationTest::otherRolesAreIgnored()
     other.role = StrokeRole::Boundary;
     const Association both = associated(setOf({surface, other}), square);
     QVERIFY(both.points.size() > alone.points.size());
+}
+
+// Of a cloud: they cross nothing, but the vertices around hear them.
+void AssociationTest::lonePointsSpeakForTheirTriangle()
+{
+    const Square square;
+    StrokeSet cloud;
+    for (const Vec3 &p : {Vec3(0.03, 0.02, 0.01), Vec3(0.52, 0.77, -0.01), Vec3(0.5, 0.5, 3.0)}) {
+        Stroke stroke;
+        stroke.id.value = int(cloud.strokes.size());
+        stroke.points = {p};
+        cloud.strokes.push_back(stroke);
+    }
+    const Association a = associated(cloud, square);
+    QCOMPARE(a.points.size(), std::size_t(2));
+    QCOMPARE(a.unreachedStrokes, std::vector<int>{2});
+    for (std::size_t i = 0; i < a.points.size(); ++i) {
+        const MeshEdge &edge = square.topology.edges[std::size_t(a.samples[i].edge)];
+        for (int v : {edge.v0, edge.v1}) {
+            QVERIFY((square.mesh.vertices[std::size_t(v)] - a.points[i].point).norm() < 2.0 / cells);
+            QVERIFY(a.pointsOfVertex[std::size_t(v)] == std::vector<int>{int(i)});
+        }
+        QVERIFY(std::abs(a.points[i].normal.z()) > 0.99);
+    }
+    QCOMPARE(a.pairCount, 4);
+    for (char crossed : a.edgeIsCrossed)
+        QVERIFY(!crossed);
 }
 
 void AssociationTest::cancelled()

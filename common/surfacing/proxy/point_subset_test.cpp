@@ -40,6 +40,8 @@ private slots:
     void keepsTheMinimumDistance();
     void endsWithItsPoints();
     void equalPointsAreTakenOnce();
+    void spreadingOutKeepsTheDistance();
+    void medianSpacingIsTheCommonOne();
 };
 
 void PointSubsetTest::eachNextIsTheFarthest()
@@ -89,6 +91,36 @@ void PointSubsetTest::equalPointsAreTakenOnce()
     std::vector<Vec3> points(30, Vec3(1, 2, 3));
     points.push_back({1, 2, 4});
     QCOMPARE(farthestPoints(points, 10, 0.0).size(), std::size_t(2));
+}
+
+void PointSubsetTest::spreadingOutKeepsTheDistance()
+{
+    const std::vector<Vec3> points = cloud(2000);
+    const std::vector<Vec3> kept = spreadOut(points, 0.1);
+    QVERIFY(kept.size() > 100 && kept.size() < 1500);
+    QCOMPARE(kept.front(), points.front());
+    for (std::size_t i = 0; i < kept.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            QVERIFY((kept[i] - kept[j]).norm() > 0.1);
+    for (const Vec3 &p : points) {
+        double nearest = 1e300;
+        for (const Vec3 &q : kept)
+            nearest = std::min(nearest, (p - q).norm());
+        QVERIFY(nearest <= 0.1);
+    }
+    QVERIFY(spreadOut({}, 0.1).empty());
+    QCOMPARE(spreadOut(std::vector<Vec3>(5, Vec3(1, 2, 3)), 0.0).size(), std::size_t(1));
+}
+
+void PointSubsetTest::medianSpacingIsTheCommonOne()
+{
+    std::vector<Vec3> points;
+    for (int i = 0; i < 40; ++i)
+        points.push_back({0.5 * i, 0.0, 0.0});
+    points.push_back({100.0, 0.0, 0.0});
+    QCOMPARE(medianSpacing(points), 0.5);
+    QCOMPARE(medianSpacing({}), 0.0);
+    QCOMPARE(medianSpacing({Vec3::Zero()}), 0.0);
 }
 
 QTEST_APPLESS_MAIN(PointSubsetTest)

@@ -1,5 +1,6 @@
 #include "surfacing/proxy/proxy.h"
 
+#include "base/random.h"
 #include "geometry/mesh_topology.h"
 #include "geometry/nearest.h"
 #include "support/mesh_zoo.h"
@@ -95,6 +96,7 @@ class ProxyTest : public QObject
 private slots:
     void solidIsClosedAndNearTheTruth();
     void shellIsOpenAndNearTheTruth();
+    void manyPointsAreFittedInPieces();
     void wrapIsTheLowestRung();
     void sizeAndEvennessAreAsAsked();
     void ignoredStrokesDoNotCount();
@@ -143,6 +145,32 @@ void ProxyTest::shellIsOpenAndNearTheTruth()
     const NearestOnMesh nearest(proxy.mesh);
     for (const Vec3 &p : sheetSketch().allPoints())
         QVERIFY(nearest.nearest(p).distance < 0.02);
+}
+
+// Points of an ellipsoid in any order: too many for the dense fit, which comes after where pieces fail.
+void ProxyTest::manyPointsAreFittedInPieces()
+{
+    StrokeSet cloud;
+    Random random(6);
+    for (int i = 0; i < 6000; ++i) {
+        const Vec3 direction = Vec3(random.normal(), random.normal(), random.normal()).normalized();
+        Stroke stroke;
+        stroke.id.value = i;
+        stroke.points = {radii.cwiseProduct(direction)};
+        cloud.strokes.push_back(stroke);
+    }
+    ProxyOptions options = smallOptions();
+    const Proxy proxy = made(cloud, options);
+    QCOMPARE(proxy.kind, ProxyKind::Local);
+    QVERIFY(!proxy.isOpen);
+    const ManifoldReport report = manifoldReport(proxy.mesh);
+    QVERIFY(report.isClosed());
+    QCOMPARE(report.components, 1);
+    QVERIFY(signedVolume(proxy.mesh) > 0.0);
+    for (const Vec3 &v : proxy.mesh.vertices)
+        QVERIFY(offEllipsoid(v) < 2e-3);
+    options.mostDensePoints = 100'000;
+    QCOMPARE(made(cloud, options).kind, ProxyKind::Variational);
 }
 
 void ProxyTest::wrapIsTheLowestRung()
@@ -301,6 +329,7 @@ void ProxyTest::kindsHaveNames()
     QVERIFY(proxyKindName(ProxyKind::Variational) == "variational");
     QVERIFY(proxyKindName(ProxyKind::Wrap) == "wrap");
     QVERIFY(proxyKindName(ProxyKind::Given) == "given");
+    QVERIFY(proxyKindName(ProxyKind::Local) == "local");
 }
 
 QTEST_APPLESS_MAIN(ProxyTest)
