@@ -25,7 +25,7 @@ LayerInView layerInView(const DrawnLayer &layer, const ScreenFinder &screen, dou
         if (last && last->firstInstance + last->instances == element.range.first) {
             last->instances += element.range.count;
         } else {
-            view.commands.push_back({14, element.range.count, 0, element.range.first});
+            view.commands.push_back({36, element.range.count, 0, 0, element.range.first});
             ++run.commandCount;
         }
     }

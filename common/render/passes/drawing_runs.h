@@ -8,12 +8,13 @@
 
 namespace ductus {
 
-/// As glMultiDrawArraysIndirect reads it.
+/// As glMultiDrawElementsIndirect reads it.
 struct DrawCommand
 {
-    std::uint32_t vertices = 14; // a box as a strip
+    std::uint32_t indices = 36; // of a box, PaintingUpload's
     std::uint32_t instances = 0;
-    std::uint32_t firstVertex = 0;
+    std::uint32_t firstIndex = 0;
+    std::int32_t baseVertex = 0;
     std::uint32_t firstInstance = 0;
 };
 

@@ -59,9 +59,9 @@ private:
         // Their back faces: there is one for each pixel of a box, whether the eye is inside or not.
         glEnable(GL_CULL_FACE);
         glCullFace(GL_FRONT);
-        glMultiDrawArraysIndirect(GL_TRIANGLE_STRIP,
-                                  reinterpret_cast<const void *>(run.firstCommand * sizeof(DrawCommand)),
-                                  GLsizei(run.commandCount), 0);
+        glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_SHORT,
+                                    reinterpret_cast<const void *>(run.firstCommand * sizeof(DrawCommand)),
+                                    GLsizei(run.commandCount), 0);
         ++mFrame.statistics.draws;
         return {};
     }
@@ -136,8 +136,8 @@ private:
         glBindVertexArray(mFrame.painting.triangleArray());
         glEnable(GL_CULL_FACE);
         glCullFace(GL_FRONT);
-        glDrawArraysInstancedBaseInstance(GL_TRIANGLE_STRIP, 0, 14, GLsizei(mesh.range.count),
-                                          mesh.range.first);
+        glDrawElementsInstancedBaseInstance(GL_TRIANGLES, 36, GL_UNSIGNED_SHORT, nullptr,
+                                            GLsizei(mesh.range.count), mesh.range.first);
         ++mFrame.statistics.draws;
         return {};
     }

@@ -1,4 +1,5 @@
-// One instance is a triangle; its 14 vertices are a strip around what is no further from it than the tolerance.
+// One instance is a triangle; its vertices are the corners of a box around what is no further
+// from it than the tolerance.
 layout(location = 0) in vec3 inA;
 layout(location = 1) in vec3 inB;
 layout(location = 2) in vec3 inC;
@@ -10,12 +11,6 @@ flat out vec3 sC;
 flat out uint sOrder;
 
 uniform float tolerance;
-
-vec3 corner(int index)
-{
-    int bit = 1 << index;
-    return vec3((0x287a & bit) != 0, (0x02af & bit) != 0, (0x31e3 & bit) != 0) * 2.0 - 1.0;
-}
 
 void main()
 {
@@ -32,6 +27,6 @@ void main()
     float margin = tolerance;
 #endif
     margin = margin * 1.001 + 1e-6 * length(high - low);
-    vec3 at = corner(gl_VertexID);
+    vec3 at = vec3(gl_VertexID & 1, gl_VertexID >> 1 & 1, gl_VertexID >> 2) * 2.0 - 1.0;
     gl_Position = view.clipFromRelative * vec4(0.5 * (low + high) + at * (0.5 * (high - low) + margin), 1.0);
 }

@@ -63,53 +63,48 @@ vec2 roots(float qa, float qb, float qc)
     return discriminant < 0.0 ? vec2(far, -far) : vec2(min(s0, s1), max(s0, s1));
 }
 
-struct Mantle // of round segments
-{
-    vec3 axis;
-    float len, sine, cosine2;
-    bool exists;
-};
+// The mantle of round segments: cosine2 |p|^2 - y^2 + 2 ra sine y - ra^2 = 0 for isBetween(y), y along the axis.
+#define roundAxis sU.xyz
+#define roundLength sV.x
+#define sine sV.y
+#define cosine2 sV.z
 
-Mantle mantle()
+bool isBetween(float y)
 {
-    vec3 axis = sB.xyz - sA.xyz;
-    float len = length(axis);
-    bool exists = len > abs(sA.w - sB.w);
-    float sine = exists ? (sA.w - sB.w) / len : 0.0;
-    return Mantle(exists ? axis / len : axis, len, sine, 1.0 - sine * sine, exists);
-}
-
-bool isBetween(Mantle m, float y)
-{
-    return y >= sA.w * m.sine && y <= m.len + sB.w * m.sine;
+    return y >= sA.w * sine && y <= roundLength + sB.w * sine;
 }
 
 bool roundContains(vec3 x)
 {
     vec3 p = x - sA.xyz, q = x - sB.xyz;
-    Mantle m = mantle();
-    float pp = dot(p, p), y = dot(p, m.axis), toMantle = sA.w - y * m.sine;
+    float pp = dot(p, p), y = dot(p, roundAxis), toMantle = sA.w - y * sine;
     return pp <= sA.w * sA.w || dot(q, q) <= sB.w * sB.w ||
-           (m.exists && isBetween(m, y) && m.cosine2 * (pp - y * y) <= toMantle * toMantle);
+           (cosine2 > 0.0 && isBetween(y) && cosine2 * (pp - y * y) <= toMantle * toMantle);
+}
+
+// From the line's point nearest to the middle of a segment, so that cancellation loses no more than digits of its size.
+vec2 ball(float inverse, float dd, float pd, float pc)
+{
+    float discriminant = pd * pd - dd * pc, root = sqrt(max(discriminant, 0.0));
+    return discriminant < 0.0 ? vec2(far, -far) : vec2(-pd - root, root - pd) * inverse;
 }
 
 vec2 roundInterval(vec3 origin, vec3 direction)
 {
-    float dd = dot(direction, direction);
-    float shift = dot(0.5 * (sA.xyz + sB.xyz) - origin, direction) / dd;
+    float dd = dot(direction, direction), inverse = 1.0 / dd;
+    float shift = dot(0.5 * (sA.xyz + sB.xyz) - origin, direction) * inverse;
     vec3 p = origin + shift * direction - sA.xyz, q = p + sA.xyz - sB.xyz;
-    vec2 ballA = roots(dd, dot(p, direction), dot(p, p) - sA.w * sA.w);
-    vec2 ballB = roots(dd, dot(q, direction), dot(q, q) - sB.w * sB.w);
+    float pp = dot(p, p), pd = dot(p, direction);
+    vec2 ballA = ball(inverse, dd, pd, pp - sA.w * sA.w);
+    vec2 ballB = ball(inverse, dd, dot(q, direction), dot(q, q) - sB.w * sB.w);
     vec2 hits = vec2(min(ballA.x, ballB.x), max(ballA.y, ballB.y));
-    Mantle m = mantle();
-    float y = dot(p, m.axis), slope = dot(direction, m.axis);
-    vec2 side = roots(m.cosine2 * dd - slope * slope,
-                      m.cosine2 * dot(p, direction) - y * slope + sA.w * m.sine * slope,
-                      m.cosine2 * dot(p, p) - y * y + 2.0 * sA.w * m.sine * y - sA.w * sA.w);
-    bool any = m.exists && side.x <= side.y;
-    if (any && abs(side.x) < far && isBetween(m, y + side.x * slope))
+    float y = dot(p, roundAxis), slope = dot(direction, roundAxis);
+    vec2 side = roots(cosine2 * dd - slope * slope, cosine2 * pd - y * slope + sA.w * sine * slope,
+                      cosine2 * pp - y * y + 2.0 * sA.w * sine * y - sA.w * sA.w);
+    bool any = cosine2 > 0.0 && side.x <= side.y;
+    if (any && abs(side.x) < far && isBetween(y + side.x * slope))
         hits = vec2(min(hits.x, side.x), max(hits.y, side.x));
-    if (any && abs(side.y) < far && isBetween(m, y + side.y * slope))
+    if (any && abs(side.y) < far && isBetween(y + side.y * slope))
         hits = vec2(min(hits.x, side.y), max(hits.y, side.y));
     return hits + shift;
 }
@@ -259,20 +254,18 @@ float surface(vec3 origin, vec3 direction, float from)
 
 float parameter(vec3 x)
 {
-    vec3 axis = sB.xyz - sA.xyz, p = x - sA.xyz;
-    float len = length(axis), y = 0.0;
-    axis = len > 0.0 ? axis / len : vec3(0.0);
+    vec3 p = x - sA.xyz;
     bool freeA = sClipA == vec3(0.0), freeB = sClipB == vec3(0.0);
-    if (freeA || freeB) {
-        y = dot(p, axis);
-        if (SECTION == sectionRound) {
-            float sine = (sA.w - sB.w) / len;
-            float rho = sqrt(max(0.0, dot(p, p) - y * y));
-            if (len > abs(sA.w - sB.w))
-                y -= rho * sine / sqrt(1.0 - sine * sine);
-            else
-                y = sA.w >= sB.w ? 0.0 : len;
-        }
+    float y = 0.0, len = 0.0;
+    if (SECTION == sectionRound) {
+        len = roundLength;
+        y = dot(p, roundAxis);
+        float rho = sqrt(max(0.0, dot(p, p) - y * y));
+        y = cosine2 > 0.0 ? y - rho * sine * inversesqrt(cosine2) : sA.w >= sB.w ? 0.0 : len;
+    } else if (freeA || freeB) {
+        vec3 axis = sB.xyz - sA.xyz;
+        len = length(axis);
+        y = len > 0.0 ? dot(p, axis) / len : 0.0;
     }
     float fA = freeA ? y : dot(p, sClipA), fB = freeB ? y - len : dot(x - sB.xyz, sClipB);
     return fA - fB > 0.0 ? clamp(fA / (fA - fB), 0.0, 1.0) : 0.5;

@@ -1,4 +1,4 @@
-// One instance is a segment of a stroke (painting/coverage/section.h); its 14 vertices are a strip around its box.
+// One instance is a segment of a stroke (painting/coverage/section.h); its vertices are the corners of a box around it.
 layout(location = 0) in vec4 inA;       // position, half width; element's space
 layout(location = 1) in vec4 inB;
 layout(location = 2) in vec4 inU;       // w: section
@@ -13,8 +13,8 @@ layout(location = 10) in vec4 inReachB;
 
 flat out vec4 sA;
 flat out vec4 sB;
-flat out vec4 sU; // w: section
-flat out vec4 sV; // w: caps
+flat out vec4 sU; // w: section; of round segments: the axis
+flat out vec4 sV; // w: caps; of round segments: length, sine of the mantle's slope, squared cosine (0: no mantle)
 flat out vec3 sClipA;
 flat out vec3 sClipB;
 flat out vec4 sColourA; // linear; in blend space if UNIFORM_COLOUR
@@ -66,7 +66,10 @@ Box roundBox(vec3 a, float ra, vec3 b, float rb, vec3 clipA, vec3 clipB, float m
     float high = len + min(max(rb, ra - len), clipB == vec3(0.0) ? radius : beyondPlane(clipB, along, radius, slack));
     low -= margin + slack;
     high += margin + slack;
-    vec3 side = perpendicular(along);
+    // Turned towards the eye the box hides the least of what is behind.
+    vec3 side = cross(along, a + b);
+    float sideLength = length(side);
+    side = sideLength > 1e-4 * length(a + b) ? side / sideLength : perpendicular(along);
     radius += margin + slack;
     return Box(a + 0.5 * (low + high) * along, 0.5 * (high - low) * along, radius * side, radius * cross(along, side));
 }
@@ -103,13 +106,6 @@ Box ribbonBox(vec3 a, float ra, vec3 b, float rb, vec3 u, vec3 v, float margin)
     return Box(a + axes * middle, extent.x * axes[0], extent.y * axes[1], extent.z * axes[2]);
 }
 
-// The corners of a cube as one strip.
-vec3 corner(int index)
-{
-    int bit = 1 << index;
-    return vec3((0x287a & bit) != 0, (0x02af & bit) != 0, (0x31e3 & bit) != 0) * 2.0 - 1.0;
-}
-
 void main()
 {
     ElementData e = elements[inElement];
@@ -128,13 +124,20 @@ void main()
         box = flatBox(a, ra, b, rb, u, v, clipA, clipB, section == 1 ? ellipseThickness : 1.0, tolerance);
     if (dot(box.x, cross(box.y, box.z)) < 0.0)
         box.x = -box.x;
-    vec3 at = corner(gl_VertexID);
+    vec3 at = vec3(gl_VertexID & 1, gl_VertexID >> 1 & 1, gl_VertexID >> 2) * 2.0 - 1.0;
     gl_Position = view.clipFromRelative * vec4(box.centre + at.x * box.x + at.y * box.y + at.z * box.z, 1.0);
 
     sA = vec4(a, ra);
     sB = vec4(b, rb);
     sU = vec4(u, float(section));
     sV = vec4(v, floor(inV.w * 32767.0 + 0.5));
+    if (section == 0) {
+        vec3 axis = b - a;
+        float len = length(axis), sine = (ra - rb) / max(len, 1e-30);
+        bool hasMantle = len > abs(ra - rb);
+        sU = vec4(len > 0.0 ? axis / len : vec3(0.0), 0.0);
+        sV = vec4(len, hasMantle ? sine : 0.0, hasMantle ? 1.0 - sine * sine : 0.0, 0.0);
+    }
     sClipA = clipA;
     sClipB = clipB;
     sColourA = layerColour.w > 0.5 ? vec4(layerColour.rgb, inColourA.w) : inColourA;

@@ -344,9 +344,24 @@ Result<void> PaintingUpload::writeReach(const DrawnLayer &layer, const LayerSoli
     return {};
 }
 
+void PaintingUpload::addBoxIndices()
+{
+    // Corner x + 2 y + 4 z; counter-clockwise from outside.
+    static constexpr std::array<std::uint16_t, 36> indices{0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5,
+                                                           0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3,
+                                                           0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6};
+    const bool isNew = !mBoxIndices;
+    if (isNew)
+        mBoxIndices = GlBuffer::create();
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, mBoxIndices.name());
+    if (isNew)
+        glBufferData(GL_ELEMENT_ARRAY_BUFFER, sizeof(indices), indices.data(), GL_STATIC_DRAW);
+}
+
 GLuint PaintingUpload::segmentArray(bool withReach)
 {
     GlVertexArray &array = beginArray(withReach ? mReachArray : mSegmentArray, mSegments.buffer());
+    addBoxIndices();
     constexpr std::size_t stride = sizeof(SegmentInstance);
     setAttribute(0, 4, GL_FLOAT, stride, offsetof(SegmentInstance, a), 1);
     setAttribute(1, 4, GL_FLOAT, stride, offsetof(SegmentInstance, b), 1);
@@ -377,6 +392,7 @@ GLuint PaintingUpload::meshArray()
 GLuint PaintingUpload::triangleArray()
 {
     GlVertexArray &array = beginArray(mTriangleArray, mTriangles.buffer());
+    addBoxIndices();
     for (GLuint corner = 0; corner < 3; ++corner)
         setAttribute(corner, 3, GL_FLOAT, 3 * sizeof(MeshVertex),
                      corner * sizeof(MeshVertex) + offsetof(MeshVertex, position), 1);

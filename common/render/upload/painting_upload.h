@@ -66,7 +66,8 @@ public:
     BlendSpace blendSpace() const { return mBlendSpace; }
     const Eigen::Vector3f &background() const { return mBackground; } // linear RGB
 
-    /// Vertex arrays with the current buffers; bind to draw.
+    /// Vertex arrays with the current buffers, bound; of boxes with the 36 indices (16 bits) of their
+    /// triangles, an instance each.
     GLuint segmentArray(bool withReach);
     GLuint meshArray();
     GLuint triangleArray();
@@ -76,6 +77,7 @@ public:
     std::uint32_t orderOf(const DrawnElement &element) const { return mTable.at(element.row).order; }
 
 private:
+    void addBoxIndices();
     struct Entry
     {
         std::shared_ptr<const ElementShape> shape; // kept, so that its address stays its name
@@ -98,6 +100,7 @@ private:
 
     CardArena mSegments{sizeof(SegmentInstance)};
     CardArena mTriangles{3 * 24};
+    GlBuffer mBoxIndices;
     GlBuffer mReach; // as many as mSegments
     std::uint32_t mReachCapacity = 0;
     ElementTable mTable;
