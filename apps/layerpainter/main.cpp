@@ -4,6 +4,7 @@
 #include "layerpainter/cli/inspect_commands.h"
 #include "layerpainter/cli/render_command.h"
 #include "layerpainter/cli/replay_command.h"
+#include "layerpainter/ui/run_window.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
@@ -14,7 +15,10 @@ namespace {
 constexpr const char *usage =
     "LayerPainter colours 3D paintings with stacks of layers.\n"
     "\n"
-    "Usage: layerpainter COMMAND [OPTIONS]\n"
+    "Usage: layerpainter [FILE...]\n"
+    "       layerpainter COMMAND [OPTIONS]\n"
+    "\n"
+    "Without a command the window opens, with the file in it.\n"
     "\n"
     "Commands (layerpainter COMMAND --help lists the options):\n"
     "  import IN -o P.ductus   a Quill or .tilt painting or a mesh becomes a project\n"
@@ -42,30 +46,53 @@ Command commandOf(const QString &word)
     return nullptr;
 }
 
-} // namespace
+int wrongUsage(const QString &problem)
+{
+    QTextStream(stderr) << "layerpainter: " << problem << "\n\n" << usage;
+    return int(ductus::ExitCode::WrongUsage);
+}
 
-int main(int argc, char *argv[])
+int runBatch(int &argc, char **argv, const QString &word)
 {
     QCoreApplication app(argc, argv);
     QCoreApplication::setApplicationName(QStringLiteral("layerpainter"));
     QCoreApplication::setApplicationVersion(QStringLiteral(DUCTUS_VERSION));
-    const QStringList words = QCoreApplication::arguments().mid(1);
-    const QString first = words.value(0);
-    if (const Command command = commandOf(first))
-        return int(command(words.mid(1)));
-    if (first == QLatin1String("--version") || first == QLatin1String("-v")) {
+    if (const Command command = commandOf(word))
+        return int(command(QCoreApplication::arguments().mid(2)));
+    if (word == QLatin1String("--version") || word == QLatin1String("-v"))
         QTextStream(stdout) << "LayerPainter " << DUCTUS_VERSION << "\n";
-        return int(ductus::ExitCode::Done);
-    }
-    const bool isHelp =
-        first == QLatin1String("--help") || first == QLatin1String("-h") || first == QLatin1String("help");
-    if (isHelp) {
+    else
         QTextStream(stdout) << usage;
-        return int(ductus::ExitCode::Done);
+    return int(ductus::ExitCode::Done);
+}
+
+} // namespace
+
+int main(int argc, char *argv[])
+{
+    // Read before there is an application: which kind of one is needed is told by the first word.
+    QStringList words;
+    for (int i = 1; i < argc; ++i)
+        words << QFile::decodeName(argv[i]);
+    const QString first = words.value(0);
+    static const QStringList asking{QStringLiteral("help"), QStringLiteral("--help"), QStringLiteral("-h"),
+                                    QStringLiteral("-v"), QStringLiteral("--version")};
+    if (commandOf(first) || asking.contains(first))
+        return runBatch(argc, argv, first);
+    QStringList files;
+    for (const QString &word : words) {
+        // -platform, -style and the like are Qt's own
+        if (word.startsWith(QLatin1Char('-')))
+            continue;
+        if (!QFileInfo::exists(word))
+            return wrongUsage(QStringLiteral("there is no command and no file \"%1\".").arg(word));
+        files << word;
     }
-    QTextStream(stderr) << (first.isEmpty()
-                                ? QString()
-                                : QStringLiteral("layerpainter: there is no command \"%1\".\n\n").arg(first))
-                        << usage;
-    return int(ductus::ExitCode::WrongUsage);
+#ifdef Q_OS_UNIX
+    if (qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") &&
+        qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
+        return wrongUsage(
+            QStringLiteral("there is no display for the window. The batch commands need none."));
+#endif
+    return ductus::runPainterWindow(argc, argv, files);
 }

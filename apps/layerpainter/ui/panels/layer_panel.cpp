@@ -1,0 +1,245 @@
+#include "layerpainter/ui/panels/layer_panel.h"
+
+#include "document/commands/change_value.h"
+#include "layerpainter/document/default_view.h"
+#include "widgets/controls/number_slider.h"
+#include "widgets/theme/icons.h"
+
+#include <QComboBox>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace ductus {
+
+namespace {
+
+QString blendText(BlendMode mode)
+{
+    static const char *texts[blendModeCount] = {QT_TRANSLATE_NOOP("ductus::LayerPanel", "Normal"),
+                                                QT_TRANSLATE_NOOP("ductus::LayerPanel", "Multiply"),
+                                                QT_TRANSLATE_NOOP("ductus::LayerPanel", "Screen"),
+                                                QT_TRANSLATE_NOOP("ductus::LayerPanel", "Overlay"),
+                                                QT_TRANSLATE_NOOP("ductus::LayerPanel", "Add"),
+                                                QT_TRANSLATE_NOOP("ductus::LayerPanel", "Darken"),
+                                                QT_TRANSLATE_NOOP("ductus::LayerPanel", "Lighten"),
+                                                QT_TRANSLATE_NOOP("ductus::LayerPanel", "Colour dodge"),
+                                                QT_TRANSLATE_NOOP("ductus::LayerPanel", "Colour burn"),
+                                                QT_TRANSLATE_NOOP("ductus::LayerPanel", "Hard light"),
+                                                QT_TRANSLATE_NOOP("ductus::LayerPanel", "Soft light"),
+                                                QT_TRANSLATE_NOOP("ductus::LayerPanel", "Difference"),
+                                                QT_TRANSLATE_NOOP("ductus::LayerPanel", "Exclusion"),
+                                                QT_TRANSLATE_NOOP("ductus::LayerPanel", "Hue"),
+                                                QT_TRANSLATE_NOOP("ductus::LayerPanel", "Saturation"),
+                                                QT_TRANSLATE_NOOP("ductus::LayerPanel", "Colour"),
+                                                QT_TRANSLATE_NOOP("ductus::LayerPanel", "Luminosity")};
+    return LayerPanel::tr(texts[int(mode)]);
+}
+
+QString maskText(const Mask &mask)
+{
+    switch (mask.shape.index()) {
+    case 0:
+        return std::get<GradientMask>(mask.shape).shape == GradientMask::Shape::Linear
+                   ? LayerPanel::tr("Gradient")
+                   : LayerPanel::tr("Round gradient");
+    case 1:
+        return LayerPanel::tr("Noise");
+    case 2:
+        return LayerPanel::tr("Texture");
+    default:
+        return LayerPanel::tr("Strokes of a layer");
+    }
+}
+
+} // namespace
+
+LayerPanel::LayerPanel(PaintingDocument &document, QWidget *parent)
+    : QWidget(parent), mDocument(document), mTree(new LayerTree(document))
+{
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(8);
+    layout->addWidget(mTree);
+    auto *buttons = new QHBoxLayout;
+    buttons->setSpacing(4);
+    QToolButton *stack = button(QStringLiteral("stack"), tr("Add stack"),
+                                tr("A new shape to paint on, with layers of its own."));
+    QToolButton *layer = button(QStringLiteral("appearance-layer"), tr("Add layer"),
+                                tr("Its strokes colour the shape below them."));
+    QToolButton *copy = button(QStringLiteral("edit-copy"), tr("Duplicate layer"),
+                               tr("A copy with all strokes, right above."));
+    QToolButton *remove =
+        button(QStringLiteral("edit-delete"), tr("Delete layer"), tr("Undo brings it back."));
+    connect(stack, &QToolButton::clicked, this, &LayerPanel::addStack);
+    connect(layer, &QToolButton::clicked, this, &LayerPanel::addLayer);
+    connect(copy, &QToolButton::clicked, this, &LayerPanel::duplicateLayer);
+    connect(remove, &QToolButton::clicked, this, &LayerPanel::removeLayer);
+    for (QToolButton *each : {stack, layer, copy})
+        buttons->addWidget(each);
+    buttons->addStretch();
+    buttons->addWidget(remove);
+    layout->addLayout(buttons);
+    buildProperties(layout);
+    connect(mTree, &LayerTree::layerChosen, this, [this] { refresh(); });
+    connect(&mDocument, &Document::changed, this, [this] { refresh(); });
+    refresh();
+}
+
+QToolButton *LayerPanel::button(const QString &iconName, const QString &name, const QString &teaches)
+{
+    auto *made = new QToolButton;
+    made->setIcon(icon(iconName));
+    made->setIconSize({20, 20});
+    made->setAutoRaise(true);
+    made->setAccessibleName(name);
+    made->setToolTip(QStringLiteral("<b>%1</b><br>%2").arg(name, teaches));
+    return made;
+}
+
+void LayerPanel::buildProperties(QVBoxLayout *layout)
+{
+    NumberRange percent{0, 100, 1, 100, 0, tr("%")};
+    mOpacity = new NumberSlider(tr("Opacity"), percent, tr("How strongly the layer shows."));
+    layout->addWidget(mOpacity);
+    mAppearance = new QWidget;
+    auto *rows = new QVBoxLayout(mAppearance);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->setSpacing(8);
+    auto *blendRow = new QHBoxLayout;
+    auto *blendLabel = new QLabel(tr("Blend"));
+    mBlend = new QComboBox;
+    mBlend->setAccessibleName(tr("Blend mode"));
+    mBlend->setToolTip(tr(
+        "How its colour is mixed with what is below: Multiply darkens, Screen lightens, Overlay does both."));
+    for (int i = 0; i < blendModeCount; ++i)
+        mBlend->addItem(blendText(BlendMode(i)));
+    blendRow->addWidget(blendLabel);
+    blendRow->addWidget(mBlend, 1);
+    rows->addLayout(blendRow);
+    mTolerance = new NumberSlider(
+        tr("Reach"), {0, 1, 0.01, 0, 3, {}},
+        tr("Tolerance: how far from its strokes the layer still colours. 0: only inside them."));
+    rows->addWidget(mTolerance);
+    mMasks = new QVBoxLayout;
+    rows->addLayout(mMasks);
+    layout->addWidget(mAppearance);
+
+    for (NumberSlider *slider : {mOpacity, mTolerance})
+        connect(slider, &NumberSlider::editBegun, this, [this] { mDrag = nextDrag(); });
+    connect(mOpacity, &NumberSlider::valueChanged, this, [this](double value) {
+        act::SetProperties edit;
+        edit.layer = mTree->currentLayer();
+        edit.opacity = value / 100;
+        (void)mDocument.perform(edit, mDrag);
+    });
+    connect(mTolerance, &NumberSlider::valueChanged, this, [this](double value) {
+        if (const Layer *layer = mDocument.painting().findLayer(mTree->currentLayer()))
+            (void)mDocument.perform(act::SetTolerance{layer->id, value, layer->toleranceMode}, mDrag);
+    });
+    connect(mBlend, &QComboBox::activated, this, [this](int index) {
+        act::SetProperties edit;
+        edit.layer = mTree->currentLayer();
+        edit.blend = BlendMode(index);
+        (void)mDocument.perform(edit);
+    });
+}
+
+void LayerPanel::refresh()
+{
+    const LayerId id = mTree->currentLayer();
+    const Layer *layer = mDocument.painting().findLayer(id);
+    const bool isAppearance = layer && !isSubstrate(mDocument.painting(), id);
+    mOpacity->setEnabled(layer);
+    mAppearance->setVisible(isAppearance);
+    if (!layer)
+        return;
+    mOpacity->setValue(100 * layer->properties.opacity);
+    if (!isAppearance)
+        return;
+    mBlend->setCurrentIndex(int(layer->properties.blendMode));
+    const double most =
+        std::max({0.1 * paintingBox(mDocument.painting()).diagonal(), 2 * layer->tolerance, 0.01});
+    if (layer->tolerance > mTolerance->range().maximum || mTolerance->range().maximum > 4 * most ||
+        mTolerance->range().maximum < 0.25 * most)
+        mTolerance->setRange({0, most, most / 100, 0, 3, {}});
+    mTolerance->setValue(layer->tolerance);
+    fillMasks(*layer);
+}
+
+void LayerPanel::fillMasks(const Layer &layer)
+{
+    while (QLayoutItem *item = mMasks->takeAt(0)) {
+        if (item->widget())
+            item->widget()->deleteLater();
+        delete item;
+    }
+    for (std::size_t i = 0; i < layer.properties.masks.size(); ++i) {
+        const Mask &mask = layer.properties.masks[i];
+        auto *chip = new QToolButton;
+        chip->setText(maskText(mask));
+        chip->setIcon(icon(QStringLiteral("gradient")));
+        chip->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+        chip->setCheckable(true);
+        chip->setChecked(mask.enabled);
+        chip->setToolTip(
+            tr("Mask of the layer. Click: on and off. With Shift: inside out. With Ctrl: remove."));
+        connect(chip, &QToolButton::clicked, this, [this, i, id = layer.id] {
+            const Layer *now = mDocument.painting().findLayer(id);
+            if (!now || i >= now->properties.masks.size())
+                return;
+            act::SetProperties edit;
+            edit.layer = id;
+            edit.masks = now->properties.masks;
+            const Qt::KeyboardModifiers keys = QGuiApplication::keyboardModifiers();
+            if (keys & Qt::ControlModifier)
+                edit.masks->erase(edit.masks->begin() + std::ptrdiff_t(i));
+            else if (keys & Qt::ShiftModifier)
+                (*edit.masks)[i].inverted = !(*edit.masks)[i].inverted;
+            else
+                (*edit.masks)[i].enabled = !(*edit.masks)[i].enabled;
+            (void)mDocument.perform(edit);
+        });
+        mMasks->addWidget(chip);
+    }
+}
+
+void LayerPanel::addStack()
+{
+    const auto made = mDocument.perform(
+        act::AddStack{tr("Stack %1").arg(mDocument.painting().stacks.size() + 1).toStdString()});
+    if (made)
+        mTree->choose(LayerId{made->at(1)});
+}
+
+void LayerPanel::addLayer()
+{
+    const StackId stack = mTree->currentStack();
+    const Stack *found = mDocument.painting().findStack(stack);
+    if (!found)
+        return;
+    const auto made = mDocument.perform(
+        act::AddLayer{stack, tr("Layer %1").arg(found->appearance.size() + 1).toStdString()});
+    if (made)
+        mTree->choose(LayerId{made->at(0)});
+}
+
+void LayerPanel::duplicateLayer()
+{
+    if (const Layer *layer = mDocument.painting().findLayer(mTree->currentLayer()))
+        (void)mDocument.perform(act::DuplicateLayer{
+            layer->id, tr("%1 copy").arg(QString::fromStdString(layer->name)).toStdString()});
+}
+
+void LayerPanel::removeLayer()
+{
+    const LayerId layer = mTree->currentLayer();
+    if (isSubstrate(mDocument.painting(), layer))
+        (void)mDocument.perform(act::RemoveStack{mTree->currentStack()});
+    else if (layer.isValid())
+        (void)mDocument.perform(act::RemoveLayer{layer});
+}
+
+} // namespace ductus

@@ -1,0 +1,44 @@
+// LayerTree: stacks with their layers as a tree: drag to reorder or re-parent, F2 renames, the eye shows and
+// hides, the lock locks. Rows stand as the painting is built: what acts last is on top.
+#pragma once
+
+#include "layerpainter/document/painting_document.h"
+
+#include <QTreeWidget>
+
+namespace ductus {
+
+class LayerTree : public QTreeWidget
+{
+    Q_OBJECT
+public:
+    explicit LayerTree(PaintingDocument &document, QWidget *parent = nullptr);
+
+    /// The chosen row's layer: a substrate for a stack's row; invalid for the scene's.
+    LayerId currentLayer() const;
+    /// The stack the chosen row belongs to.
+    StackId currentStack() const;
+    void choose(LayerId layer);
+    void renameCurrent();
+
+signals:
+    void layerChosen(ductus::LayerId layer);
+    void layerHovered(ductus::LayerId layer); // invalid: none
+
+protected:
+    void dropEvent(QDropEvent *event) override;
+    void mouseMoveEvent(QMouseEvent *event) override;
+    void leaveEvent(QEvent *event) override;
+
+private:
+    void refresh();
+    void fillRow(QTreeWidgetItem *item, const Layer &layer);
+    QTreeWidgetItem *rowOf(LayerId layer) const;
+    void onClicked(QTreeWidgetItem *item, int column);
+    void onEdited(QTreeWidgetItem *item);
+
+    PaintingDocument &mDocument;
+    bool mIsFilling = false;
+};
+
+} // namespace ductus

@@ -1,0 +1,329 @@
+#include "layerpainter/ui/view/painting_view.h"
+
+#include "layerpainter/document/default_view.h"
+
+#include <QElapsedTimer>
+#include <QMouseEvent>
+#include <QOpenGLContext>
+#include <QPainter>
+#include <QSurfaceFormat>
+#include <QTabletEvent>
+#include <QWheelEvent>
+#include <algorithm>
+#include <unordered_set>
+
+namespace ductus {
+
+/// Outlines and the tool's marks: a widget on top, so that the painting need not be drawn again for them.
+class PaintingView::Overlay : public QWidget
+{
+public:
+    explicit Overlay(PaintingView &view) : QWidget(&view), mView(view)
+    {
+        setAttribute(Qt::WA_TransparentForMouseEvents);
+        setAttribute(Qt::WA_NoSystemBackground);
+    }
+
+protected:
+    void paintEvent(QPaintEvent *) override
+    {
+        QPainter painter(this);
+        painter.setRenderHint(QPainter::Antialiasing);
+        mView.drawOverlay(painter);
+    }
+
+private:
+    PaintingView &mView;
+};
+
+PaintingView::PaintingView(PaintingDocument &document, QWidget *parent)
+    : QOpenGLWidget(parent), mDocument(document), mOverlay(new Overlay(*this))
+{
+    QSurfaceFormat format;
+    format.setRenderableType(QSurfaceFormat::OpenGL);
+    format.setVersion(4, 3);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    setFormat(format);
+    setMouseTracking(true);
+    setFocusPolicy(Qt::StrongFocus);
+    setAccessibleName(tr("Canvas"));
+    connect(&mDocument, &Document::changed, this, [this](const ChangeEvent &event) {
+        mPreview = nullptr;
+        if (event.as<DocumentReset>()) {
+            setSelection({});
+            frameAll();
+        }
+        changedView();
+    });
+}
+
+PaintingView::~PaintingView()
+{
+    releaseGraphics();
+}
+
+void PaintingView::frameAll()
+{
+    const double aspect = mCamera.viewport().width() / mCamera.viewport().height();
+    const CameraKey key = defaultView(mDocument.painting(), 0, aspect);
+    const Box3 box = paintingBox(mDocument.painting());
+    const Vec3 way = key.rotation * -Vec3::UnitZ();
+    const double depth = box.isEmpty() ? 3 : (box.centre() - key.eye).dot(way);
+    mCamera.set(key, std::max(depth, 0.05 * std::max(box.diagonal(), 1e-3)));
+    changedView();
+    emit framed();
+}
+
+void PaintingView::setTool(CanvasTool *tool)
+{
+    if (mTool)
+        mTool->cancel(*this);
+    mTool = tool;
+    setCursor(tool ? tool->cursor() : Qt::OpenHandCursor);
+    mOverlay->update();
+}
+
+bool PaintingView::cancelTool()
+{
+    const bool had = mTool && mTool->cancel(*this);
+    mOverlay->update();
+    return had;
+}
+
+void PaintingView::setPreview(std::shared_ptr<const Painting> preview)
+{
+    mPreview = std::move(preview);
+    changedView();
+}
+
+void PaintingView::setSelection(std::vector<ElementId> selection)
+{
+    if (selection == mSelection)
+        return;
+    mSelection = std::move(selection);
+    mOverlay->update();
+    emit selectionChanged();
+}
+
+void PaintingView::setHoveredLayer(std::optional<LayerId> layer)
+{
+    mHovered = layer;
+    mOverlay->update();
+}
+
+void PaintingView::changedView()
+{
+    update();
+    mOverlay->update();
+}
+
+void PaintingView::initializeGL()
+{
+    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &PaintingView::releaseGraphics,
+            Qt::UniqueConnection);
+    Result<PaintingRenderer> renderer = PaintingRenderer::create({});
+    if (renderer)
+        mRenderer.emplace(std::move(*renderer));
+    else
+        emit graphicsFailed(renderer.error());
+}
+
+void PaintingView::releaseGraphics()
+{
+    if (!mRenderer)
+        return;
+    makeCurrent();
+    mRenderer.reset();
+    doneCurrent();
+}
+
+void PaintingView::paintGL()
+{
+    if (!mRenderer)
+        return;
+    QElapsedTimer clock;
+    clock.start();
+    const int w = qRound(width() * devicePixelRatioF()), h = qRound(height() * devicePixelRatioF());
+    const Painting &painting = mPreview ? *mPreview : mDocument.painting();
+    Result<void> drawn = mRenderer->update(painting, {});
+    if (drawn) {
+        const RenderView view{mCamera.frame(), defaultFramebufferObject(), 0, 0, w, h};
+        drawn = mRenderer->render({&view, 1});
+    }
+    if (!drawn)
+        emit graphicsFailed(drawn.error());
+    mLastFrameMilliseconds = double(clock.nsecsElapsed()) * 1e-6;
+    ++mFrameCount;
+}
+
+void PaintingView::resizeEvent(QResizeEvent *event)
+{
+    QOpenGLWidget::resizeEvent(event);
+    mOverlay->setGeometry(rect());
+    mCamera.setViewport(size());
+}
+
+std::optional<PickedPoint> PaintingView::pick(const QPointF &position)
+{
+    if (!mRenderer || mFrameCount == 0 || !rect().contains(position.toPoint()))
+        return std::nullopt;
+    makeCurrent();
+    const double ratio = devicePixelRatioF();
+    const auto picked = mRenderer->pick(0, int(position.x() * ratio), int(position.y() * ratio));
+    doneCurrent();
+    return picked ? *picked : std::nullopt;
+}
+
+std::optional<ElementId> PaintingView::strokeNear(const QPointF &position, LayerId id, double reach)
+{
+    const Layer *layer = mDocument.painting().findLayer(id);
+    if (!layer)
+        return std::nullopt;
+    std::optional<ElementId> best;
+    for (const Element &element : layer->drawingAt(0).elements) {
+        const auto *stroke = std::get_if<StrokeShape>(element.shape.get());
+        if (!stroke)
+            continue;
+        const Eigen::Affine3d place = element.placement.matrix();
+        std::optional<QPointF> last;
+        for (const PaintedPoint &point : stroke->points) {
+            const auto at = mCamera.project(place * point.position.cast<double>());
+            if (at) {
+                const QPointF from = last.value_or(*at), along = *at - from;
+                const double length = QPointF::dotProduct(along, along);
+                const double t =
+                    length > 0 ? std::clamp(QPointF::dotProduct(position - from, along) / length, 0.0, 1.0)
+                               : 0;
+                const double distance = QLineF(position, from + t * along).length();
+                if (distance <= reach) { // the later of two is on top
+                    reach = distance;
+                    best = element.id;
+                }
+            }
+            last = at;
+        }
+    }
+    return best;
+}
+
+QImage PaintingView::picture()
+{
+    return mFrameCount > 0 && !mDocument.isEmpty() ? grabFramebuffer() : QImage();
+}
+
+void PaintingView::traceElement(QPainter &painter, const Element &element) const
+{
+    const auto *stroke = std::get_if<StrokeShape>(element.shape.get());
+    if (!stroke)
+        return;
+    const Eigen::Affine3d place = element.placement.matrix();
+    QPolygonF line;
+    for (const PaintedPoint &point : stroke->points)
+        if (const auto at = mCamera.project(place * point.position.cast<double>()))
+            line << *at;
+    painter.drawPolyline(line);
+}
+
+void PaintingView::drawOverlay(QPainter &painter)
+{
+    const Painting &painting = mPreview ? *mPreview : mDocument.painting();
+    const QColor accent = palette().color(QPalette::Highlight);
+    const auto trace = [&](auto isWanted) {
+        for (const auto &[colour, width] : {std::pair(QColor(0, 0, 0, 150), 3.5), std::pair(accent, 1.6)}) {
+            painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+            for (const Layer *layer : painting.layers())
+                for (const Element &element : layer->drawingAt(0).elements)
+                    if (isWanted(*layer, element))
+                        traceElement(painter, element);
+        }
+    };
+    if (mHovered) {
+        painter.fillRect(rect(), QColor(0, 0, 0, 90));
+        trace([&](const Layer &layer, const Element &) { return layer.id == *mHovered; });
+    }
+    if (!mSelection.empty()) {
+        const std::unordered_set<ElementId> chosen(mSelection.begin(), mSelection.end());
+        trace([&](const Layer &, const Element &element) { return chosen.contains(element.id); });
+    }
+    if (mTool)
+        mTool->draw(*this, painter);
+}
+
+void PaintingView::mousePressEvent(QMouseEvent *event)
+{
+    mLast = event->position();
+    const bool turns = event->button() == Qt::RightButton || (event->modifiers() & Qt::AltModifier) || !mTool;
+    if (event->button() == Qt::MiddleButton || (turns && (event->modifiers() & Qt::ShiftModifier)))
+        mDrag = Drag::Pan;
+    else if (turns)
+        mDrag = Drag::Orbit;
+    else
+        mDrag = Drag::Tool;
+    if (mDrag == Drag::Tool)
+        mTool->press(*this, {event->position(), 1, event->modifiers()});
+    else if (const auto picked = pick(event->position()))
+        mCamera.setPivotDepth(picked->position);
+    mOverlay->update();
+}
+
+void PaintingView::mouseMoveEvent(QMouseEvent *event)
+{
+    const QPointF by = event->position() - mLast;
+    mLast = event->position();
+    if (mDrag == Drag::Orbit)
+        mCamera.orbit(by);
+    else if (mDrag == Drag::Pan)
+        mCamera.pan(by);
+    if (mDrag == Drag::Orbit || mDrag == Drag::Pan)
+        update();
+    else if (mTool)
+        mTool->move(*this, {event->position(), 1, event->modifiers()});
+    mOverlay->update();
+    emit pointerMoved(event->position());
+}
+
+void PaintingView::mouseReleaseEvent(QMouseEvent *event)
+{
+    if (mDrag == Drag::Tool && mTool)
+        mTool->release(*this, {event->position(), 1, event->modifiers()});
+    mDrag = Drag::None;
+    mOverlay->update();
+}
+
+void PaintingView::tabletEvent(QTabletEvent *event)
+{
+    const bool isPainting = mTool && !(event->modifiers() & Qt::AltModifier);
+    if (!isPainting || event->button() == Qt::RightButton || event->button() == Qt::MiddleButton) {
+        event->ignore(); // comes again as a mouse event
+        return;
+    }
+    const double pressure = mPressure ? mPressure(event->pressure()) : event->pressure();
+    const CanvasPointer pointer{event->position(), pressure, event->modifiers(),
+                                event->pointerType() == QPointingDevice::PointerType::Eraser};
+    event->accept();
+    mLast = event->position();
+    if (event->type() == QEvent::TabletPress) {
+        mDrag = Drag::Tool;
+        mTool->press(*this, pointer);
+    } else if (event->type() == QEvent::TabletMove) {
+        mTool->move(*this, pointer);
+    } else if (event->type() == QEvent::TabletRelease && mDrag == Drag::Tool) {
+        mTool->release(*this, pointer);
+        mDrag = Drag::None;
+    }
+    mOverlay->update();
+}
+
+void PaintingView::wheelEvent(QWheelEvent *event)
+{
+    mCamera.zoom(std::pow(0.9988, event->angleDelta().y()), event->position());
+    changedView();
+}
+
+void PaintingView::leaveEvent(QEvent *)
+{
+    mLast = QPointF(-1000, -1000);
+    mOverlay->update();
+}
+
+} // namespace ductus

@@ -1,0 +1,90 @@
+// PaintingView: the canvas. Draws the painting with common/render, turns, pans and zooms, and hands the left
+// button and the pen to the tool.
+#pragma once
+
+#include "layerpainter/document/painting_document.h"
+#include "layerpainter/ui/view/canvas_tool.h"
+#include "layerpainter/ui/view/paint_camera.h"
+#include "render/painting_renderer.h"
+
+#include <QOpenGLWidget>
+#include <functional>
+
+namespace ductus {
+
+class PaintingView : public QOpenGLWidget
+{
+    Q_OBJECT
+public:
+    explicit PaintingView(PaintingDocument &document, QWidget *parent = nullptr);
+    ~PaintingView() override;
+
+    PaintCamera &camera() { return mCamera; }
+    /// The painting's camera, or all of it.
+    void frameAll();
+
+    /// Not owned; null: the left button turns the view.
+    void setTool(CanvasTool *tool);
+    bool cancelTool();
+
+    /// Shown instead of the document's painting while a tool works; null: the document's.
+    void setPreview(std::shared_ptr<const Painting> preview);
+    /// What is outlined, and what is traced because the pointer is on its layer's row.
+    void setSelection(std::vector<ElementId> selection);
+    const std::vector<ElementId> &selection() const { return mSelection; }
+    void setHoveredLayer(std::optional<LayerId> layer);
+
+    /// What is seen there; nothing on the background.
+    std::optional<PickedPoint> pick(const QPointF &position);
+    /// The stroke of \a layer whose centreline passes nearest within \a reach pixels.
+    std::optional<ElementId> strokeNear(const QPointF &position, LayerId layer, double reach);
+
+    /// A picture of the painting alone.
+    QImage picture();
+    int frameCount() const { return mFrameCount; }
+    double lastFrameMilliseconds() const { return mLastFrameMilliseconds; }
+    /// The pen's pressure goes through this first.
+    void setPressureCurve(std::function<double(double)> curve) { mPressure = std::move(curve); }
+
+signals:
+    void graphicsFailed(const ductus::Error &error);
+    void selectionChanged();
+    void pointerMoved(const QPointF &position);
+    void framed();
+
+protected:
+    void initializeGL() override;
+    void paintGL() override;
+    void resizeEvent(QResizeEvent *event) override;
+    void mousePressEvent(QMouseEvent *event) override;
+    void mouseMoveEvent(QMouseEvent *event) override;
+    void mouseReleaseEvent(QMouseEvent *event) override;
+    void tabletEvent(QTabletEvent *event) override;
+    void wheelEvent(QWheelEvent *event) override;
+    void leaveEvent(QEvent *event) override;
+
+private:
+    class Overlay;
+    enum class Drag { None, Tool, Orbit, Pan };
+
+    void releaseGraphics();
+    void drawOverlay(QPainter &painter);
+    void traceElement(QPainter &painter, const Element &element) const;
+    void changedView();
+
+    PaintingDocument &mDocument;
+    std::optional<PaintingRenderer> mRenderer;
+    PaintCamera mCamera;
+    Overlay *mOverlay;
+    CanvasTool *mTool = nullptr;
+    std::shared_ptr<const Painting> mPreview;
+    std::vector<ElementId> mSelection;
+    std::optional<LayerId> mHovered;
+    std::function<double(double)> mPressure;
+    Drag mDrag = Drag::None;
+    QPointF mLast;
+    int mFrameCount = 0;
+    double mLastFrameMilliseconds = 0;
+};
+
+} // namespace ductus

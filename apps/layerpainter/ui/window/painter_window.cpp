@@ -1,0 +1,178 @@
+#include "layerpainter/ui/window/painter_window.h"
+
+#include "document/recovery/state_folder.h"
+#include "document/settings/pressure_curve.h"
+#include "layerpainter/document/default_view.h"
+#include "painting/blend/blend.h"
+#include "widgets/controls/folding_section.h"
+#include "widgets/pages/tablet_page.h"
+#include "widgets/shell/message_bar.h"
+
+#include <QActionGroup>
+#include <QStandardPaths>
+
+namespace ductus {
+
+namespace {
+
+Eigen::Vector3f linearOf(const QColor &colour)
+{
+    return linearFromEncoded({colour.redF(), colour.greenF(), colour.blueF()}).cast<float>();
+}
+
+} // namespace
+
+PainterWindow::PainterWindow(const ShellServices &services, QWidget *parent)
+    : MainWindowShell({tr("LayerPainter"), AppKind::LayerPainter, QStringLiteral("app-layerpainter")},
+                      services, parent),
+      mUnsaved(*this, mPainting, stateFolder(QStringLiteral("layerpainter"), QStringLiteral("autosave"))),
+      mRecent(*services.settings,
+              QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + QStringLiteral("/recent")),
+      mPaintTool(mPainting, mBrush), mEraseTool(mPainting, mBrush), mSelectTool(mPainting, mBrush),
+      mMoveTool(mPainting), mGradientTool(mPainting, mBrush)
+{
+    mView = new PaintingView(mPainting);
+    mView->setProperty("helpTopic", "canvas");
+    setCanvas(mView);
+    setDocument(&mPainting);
+    addActions();
+    addToolActions();
+    fillMenus();
+    fillInspector();
+    setStrip(new LooksBar(mPainting));
+    fillStartPage();
+    connectParts();
+    setTool(PainterTool::Orbit);
+    mUnsaved.look();
+}
+
+PainterWindow::~PainterWindow()
+{
+    jobs().cancelAll();
+    mView->setTool(nullptr);
+    setDocument(nullptr);
+    setCanvas(nullptr);
+}
+
+void PainterWindow::fillInspector()
+{
+    mLayers = new LayerPanel(mPainting);
+    addSection(QStringLiteral("layers"), tr("Layers"), mLayers);
+    mBrushPanel = new BrushPanel(mBrush);
+    addSection(QStringLiteral("brush"), tr("Brush"), mBrushPanel);
+    mColours = new ColourPanel;
+    addSection(QStringLiteral("colour"), tr("Colour"), mColours);
+    mBrush.colour = linearOf(mColours->colour());
+}
+
+void PainterWindow::connectParts()
+{
+    connect(&mLayers->tree(), &LayerTree::layerChosen, this, &PainterWindow::setActiveLayer);
+    connect(&mLayers->tree(), &LayerTree::layerHovered, this, [this](LayerId layer) {
+        mView->setHoveredLayer(layer.isValid() ? std::optional(layer) : std::nullopt);
+    });
+    connect(mColours, &ColourPanel::colourChanged, this,
+            [this](const QColor &colour) { mBrush.colour = linearOf(colour); });
+    connect(mBrushPanel, &BrushPanel::brushChanged, mView, qOverload<>(&QWidget::update));
+    connect(&mPainting, &Document::changed, this, &PainterWindow::onDocumentChanged);
+    connect(&mPainting, &PaintingDocument::refused, this,
+            [this](const Error &error) { messages()->show(error); });
+    connect(mView, &PaintingView::graphicsFailed, this, [this](const Error &error) { showError(error); });
+    connect(mView, &PaintingView::pointerMoved, this, &PainterWindow::showPointerText);
+    connect(this, &MainWindowShell::filesDropped, this, [this](const QStringList &paths) {
+        for (const QString &path : paths)
+            openPath(path);
+    });
+    connect(&mUnsaved, &UnsavedWork::opened, this, &PainterWindow::showOpened);
+    connect(&mUnsaved.autosave(), &Autosave::aboutToWrite, this,
+            [this] { mPainting.setPicture(mView->picture()); });
+    const auto useCurve = [this] {
+        mView->setPressureCurve([curve = PressureCurve::fromText(settings().value(pressureCurveSetting))](
+                                    double p) { return curve.map(p); });
+    };
+    useCurve();
+    connect(&settings(), &Settings::changed, this, useCurve);
+    setActiveLayer(mLayers->tree().currentLayer());
+}
+
+void PainterWindow::setActiveLayer(LayerId layer)
+{
+    mBrush.layer = layer;
+    setHint(mToolActions && mToolActions->checkedAction() ? mToolActions->checkedAction()->statusTip()
+                                                          : QString());
+}
+
+void PainterWindow::setTool(PainterTool tool)
+{
+    CanvasTool *tools[] = {nullptr, &mSelectTool, &mMoveTool, &mPaintTool, &mEraseTool, &mGradientTool};
+    mTool = tool;
+    mView->setTool(tools[int(tool)]);
+    QAction *action = mToolActions->actions().at(int(tool));
+    action->setChecked(true);
+    setHint(action->statusTip());
+}
+
+void PainterWindow::onDocumentChanged(const ChangeEvent &event)
+{
+    const auto *change = event.as<PaintingChanged>();
+    if (!change) {
+        mBrushPanel->setExtent(paintingBox(mPainting.painting()).diagonal());
+        setTool(PainterTool::Orbit);
+        return;
+    }
+    if (change->elements && mTool == PainterTool::Paint)
+        mColours->remember();
+    // What is gone cannot stay chosen.
+    std::vector<ElementId> kept;
+    for (const Layer *layer : mPainting.painting().layers())
+        for (const Drawing &drawing : layer->drawings)
+            for (const Element &element : drawing.elements)
+                if (std::ranges::find(mView->selection(), element.id) != mView->selection().end())
+                    kept.push_back(element.id);
+    if (kept.size() != mView->selection().size())
+        mView->setSelection(std::move(kept));
+}
+
+void PainterWindow::showPointerText(const QPointF &position)
+{
+    // Asking the card takes time a stroke needs.
+    if (mTool == PainterTool::Paint || mTool == PainterTool::Erase)
+        return;
+    const auto picked = mView->pick(position);
+    const Stack *stack = picked ? mPainting.painting().findStack(picked->stack) : nullptr;
+    setPointerText(stack ? QString::fromStdString(stack->name) : QString());
+}
+
+void PainterWindow::deleteSelection()
+{
+    if (!mView->selection().empty())
+        (void)mPainting.perform(act::Erase{mView->selection()});
+}
+
+void PainterWindow::duplicateSelection()
+{
+    if (mView->selection().empty()) {
+        messages()->info(tr("Choose strokes first; the copies go into the active layer."));
+        return;
+    }
+    const auto made = mPainting.perform(act::Duplicate{mView->selection(), mBrush.layer, 0, {}});
+    if (!made)
+        return;
+    std::vector<ElementId> copies;
+    for (const std::int32_t id : *made)
+        copies.push_back(ElementId{id});
+    mView->setSelection(std::move(copies));
+    setTool(PainterTool::Move);
+}
+
+void PainterWindow::escape()
+{
+    if (mView->cancelTool())
+        return;
+    if (!mView->selection().empty())
+        mView->setSelection({});
+    else
+        setTool(PainterTool::Orbit);
+}
+
+} // namespace ductus

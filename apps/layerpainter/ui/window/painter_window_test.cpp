@@ -1,0 +1,236 @@
+// Journeys through the window with real mouse and key events. With DUCTUS_SHOTS naming a folder each step
+// leaves a picture there.
+#include "layerpainter/ui/window/painter_window.h"
+
+#include "widgets/shell/message_bar.h"
+
+#include <QTemporaryDir>
+#include <QToolButton>
+#include <QtTest>
+
+using namespace ductus;
+
+namespace {
+
+struct App
+{
+    QTemporaryDir folder;
+    Settings settings{folder.filePath("settings.ini")};
+    JobRunner jobs;
+    ActionCatalogue actions{&settings};
+    std::unique_ptr<PainterWindow> window;
+
+    App()
+    {
+        qputenv("XDG_STATE_HOME", folder.filePath("state").toUtf8()); // nothing of the user's own is offered
+        settings.setRaw(QStringLiteral("appearance/theme"), qEnvironmentVariable("DUCTUS_THEME", "dark"));
+        window = std::make_unique<PainterWindow>(ShellServices{&settings, &jobs, &actions});
+        window->resize(1280, 800);
+        window->show();
+        window->activateWindow();
+    }
+    ~App() { window->painting().reset(); }
+
+    void shot(const QString &name)
+    {
+        const QString to = qEnvironmentVariable("DUCTUS_SHOTS");
+        if (to.isEmpty())
+            return;
+        QTest::qWait(400);
+        window->grab().save(to + '/' + name + ".png");
+    }
+    void press(Qt::Key key, Qt::KeyboardModifiers modifiers = {})
+    {
+        QTest::keyClick(window->windowHandle(), key, modifiers);
+    }
+    void drag(const std::vector<QPoint> &points, Qt::MouseButton button = Qt::LeftButton)
+    {
+        PaintingView &view = window->view();
+        QTest::mouseMove(&view, points.front());
+        QTest::mousePress(&view, button, {}, points.front());
+        for (const QPoint &p : points) {
+            // QTest::mouseMove tells of no buttons
+            QMouseEvent move(QEvent::MouseMove, p, view.mapToGlobal(p), Qt::NoButton, button, Qt::NoModifier);
+            QApplication::sendEvent(&view, &move);
+            QTest::qWait(5);
+        }
+        QTest::mouseRelease(&view, button, {}, points.back());
+    }
+    bool open(const QString &sample)
+    {
+        const int before = window->view().frameCount();
+        window->openSample(sample);
+        return QTest::qWaitFor([&] { return window->view().frameCount() > before; }, 60'000);
+    }
+    std::string print() const { return paintingFingerprint(window->painting().painting()); }
+    int strokes(LayerId layer) const
+    {
+        return window->painting().painting().findLayer(layer)->elementCount();
+    }
+};
+
+} // namespace
+
+class PainterWindowTest : public QObject
+{
+    Q_OBJECT
+private slots:
+    void initTestCase();
+    void theStartPageLeadsIntoASample();
+    void paintsIntoALayerAndUndoRestoresExactly();
+    void hidesALayerByItsEye();
+    void switchesLooksByAClick();
+    void selectsDuplicatesMovesAndErases();
+    void fadesALayerByADrag();
+    void startsAnEmptyPainting();
+    void exportsAPicture();
+
+private:
+    std::unique_ptr<App> mApp;
+};
+
+void PainterWindowTest::initTestCase()
+{
+    QStandardPaths::setTestModeEnabled(true);
+    mApp = std::make_unique<App>();
+    QVERIFY(QTest::qWaitForWindowExposed(mApp->window.get()));
+}
+
+void PainterWindowTest::theStartPageLeadsIntoASample()
+{
+    QVERIFY(mApp->window->isStartPageShown());
+    mApp->shot("01-start");
+    QVERIFY(mApp->open("desk-diorama"));
+    QVERIFY(!mApp->window->isStartPageShown());
+    QVERIFY(mApp->window->painting().painting().stacks.size() > 5);
+    QVERIFY2(mApp->window->messages()->messages().isEmpty(), "graphics failed");
+    qInfo("a frame takes %.0f ms", mApp->window->view().lastFrameMilliseconds());
+    mApp->shot("02-desk");
+}
+
+void PainterWindowTest::paintsIntoALayerAndUndoRestoresExactly()
+{
+    PainterWindow &window = *mApp->window;
+    const Painting &painting = window.painting().painting();
+    const auto walls = std::ranges::find(painting.stacks, std::string("Walls"), &Stack::name);
+    window.layers().tree().choose(walls->substrate->id);
+    const std::string before = mApp->print();
+    mApp->press(Qt::Key_L, Qt::ControlModifier);
+    const LayerId layer = window.layers().tree().currentLayer();
+    QVERIFY(!isSubstrate(window.painting().painting(), layer));
+    mApp->press(Qt::Key_B);
+    QCOMPARE(window.tool(), PainterTool::Paint);
+    const QPoint middle = window.view().rect().center();
+    const QImage unpainted = window.view().picture();
+    std::vector<QPoint> line;
+    for (int x = -330; x <= -180; x += 10)
+        line.push_back(middle + QPoint(x, -60 + x / 8));
+    mApp->drag(line);
+    QCOMPARE(mApp->strokes(layer), 1);
+    QVERIFY(QTest::qWaitFor([&] { return window.view().picture() != unpainted; }, 20'000));
+    mApp->shot("03-painted");
+    mApp->press(Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(mApp->strokes(layer), 0);
+    mApp->press(Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(mApp->print(), before);
+    mApp->press(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    mApp->press(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    QCOMPARE(mApp->strokes(layer), 1);
+    window.layers().tree().choose(layer);
+}
+
+void PainterWindowTest::hidesALayerByItsEye()
+{
+    LayerTree &tree = mApp->window->layers().tree();
+    const LayerId layer = tree.currentLayer();
+    const QRect row = tree.visualItemRect(tree.currentItem());
+    const QPoint eye(tree.columnViewportPosition(1) + 10, row.center().y());
+    QTest::mouseClick(tree.viewport(), Qt::LeftButton, {}, eye);
+    QVERIFY(!mApp->window->painting().painting().findLayer(layer)->properties.visible);
+    QTest::mouseClick(tree.viewport(), Qt::LeftButton, {}, eye);
+    QVERIFY(mApp->window->painting().painting().findLayer(layer)->properties.visible);
+}
+
+void PainterWindowTest::switchesLooksByAClick()
+{
+    const QImage day = mApp->window->view().picture();
+    for (auto *chip : mApp->window->findChildren<QToolButton *>())
+        if (chip->text() == "Night") {
+            QTest::mouseClick(chip, Qt::LeftButton);
+            break;
+        }
+    QVERIFY(QTest::qWaitFor([&] { return mApp->window->view().picture() != day; }, 20'000));
+    mApp->shot("04-night");
+    QCOMPARE(mApp->window->painting().undoStack()->undoText(), QString("Switch look"));
+    mApp->press(Qt::Key_Z, Qt::ControlModifier);
+}
+
+void PainterWindowTest::selectsDuplicatesMovesAndErases()
+{
+    PainterWindow &window = *mApp->window;
+    mApp->press(Qt::Key_V);
+    const QPoint middle = window.view().rect().center();
+    QTest::mouseClick(&window.view(), Qt::LeftButton, {}, middle);
+    QCOMPARE(window.view().selection().size(), std::size_t(1));
+    mApp->shot("05-selected");
+    const LayerId layer = window.layers().tree().currentLayer();
+    const int before = mApp->strokes(layer);
+    mApp->press(Qt::Key_D, Qt::ControlModifier);
+    QCOMPARE(mApp->strokes(layer), before + 1);
+    QCOMPARE(window.tool(), PainterTool::Move);
+    const std::string unmoved = mApp->print();
+    mApp->drag({middle, middle + QPoint(20, -10), middle + QPoint(60, -30)});
+    QVERIFY(mApp->print() != unmoved);
+    mApp->press(Qt::Key_Delete);
+    QCOMPARE(mApp->strokes(layer), before);
+    QVERIFY(window.view().selection().empty());
+}
+
+void PainterWindowTest::fadesALayerByADrag()
+{
+    PainterWindow &window = *mApp->window;
+    const LayerId layer = window.layers().tree().currentLayer();
+    mApp->press(Qt::Key_D);
+    const QPoint middle = window.view().rect().center();
+    mApp->drag({middle + QPoint(-300, 0), middle + QPoint(-200, 0), middle + QPoint(-100, -40)});
+    const auto &masks = window.painting().painting().findLayer(layer)->properties.masks;
+    QCOMPARE(masks.size(), std::size_t(1));
+    QVERIFY(std::holds_alternative<GradientMask>(masks[0].shape));
+}
+
+void PainterWindowTest::startsAnEmptyPainting()
+{
+    PainterWindow &window = *mApp->window;
+    window.painting().reset(); // nothing to be asked about
+    window.newPainting();
+    QCOMPARE(window.painting().painting().stacks.size(), std::size_t(1));
+    QCOMPARE(window.tool(), PainterTool::Paint);
+    const QPoint middle = window.view().rect().center();
+    for (int i = 0; i < 3; ++i)
+        mApp->drag({middle + QPoint(-200, 60 * i - 60), middle + QPoint(0, 60 * i - 90),
+                    middle + QPoint(200, 60 * i - 60)});
+    QCOMPARE(mApp->strokes(window.layers().tree().currentLayer()), 3);
+    mApp->shot("06-new");
+    // The log of it gives the same painting.
+    const auto log = parsedLog(window.painting().actionLog(), "log");
+    QVERIFY(log.ok());
+    const auto again =
+        replayed(*log, "log", [](const std::string &) { return Result<Painting>(Painting()); }, {});
+    QVERIFY2(again.ok(), again.ok() ? "" : again.error().message().c_str());
+    QCOMPARE(paintingFingerprint(*again), mApp->print());
+}
+
+void PainterWindowTest::exportsAPicture()
+{
+    const QString path = mApp->folder.filePath("p.png");
+    mApp->window->exportPicture(path);
+    QVERIFY(QImage(path).width() > 300);
+    for (const char *sample : {"forest-path", "plane-over-clouds"}) {
+        mApp->window->painting().reset();
+        QVERIFY(mApp->open(QLatin1String(sample)));
+        mApp->shot(QStringLiteral("07-") + sample);
+    }
+}
+
+QTEST_MAIN(PainterWindowTest)
+#include "painter_window_test.moc"
