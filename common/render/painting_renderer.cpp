@@ -98,7 +98,7 @@ Result<void> PaintingRenderer::Parts::drawView(std::size_t index, const RenderVi
                        nothing,
                        view.camera,
                        ScreenFinder(view.camera, view.width, view.height),
-                       options.smallestPixels,
+                       {options.smallestPixels, options.errorPixels},
                        0,
                        {}};
     Result<void> done = drawFrame(frame, blocks);

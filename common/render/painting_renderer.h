@@ -23,7 +23,9 @@ struct RenderOptions
 {
     int samples = 1;                    // of each pixel; each is decided for itself
     bool transparentBackground = false; // straight alpha
-    double smallestPixels = 0;          // strokes that are smaller across are left out; 0: none
+    // 0 for both gives the reference's frames; windows may ask for about 0.5.
+    double smallestPixels = 0; // strokes that are smaller across are left out
+    double errorPixels = 0;    // strokes without tolerance may be drawn with fewer points, this much off
 };
 
 struct RenderView

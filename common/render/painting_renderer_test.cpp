@@ -21,6 +21,7 @@ private slots:
     void removedStrokesMakeRoom();
     void twoViewsAreTwoFrames();
     void whatIsOutsideTheViewIsNotDrawn();
+    void farStrokesCostLess();
     void refusals();
     void frameAfterFrameIsTheSame();
 
@@ -196,6 +197,35 @@ void PaintingRendererTest::whatIsOutsideTheViewIsNotDrawn()
     QVERIFY(nothing.ok());
     QCOMPARE(renderer.statistics().segments, 0u);
     QCOMPARE(nothing->at(32, 32), (Rgba{255, 255, 255, 255}));
+}
+
+void PaintingRendererTest::farStrokesCostLess()
+{
+    PaintingBuilder builder;
+    const int stack = builder.addStack("grass");
+    for (int i = 0; i < 40; ++i) {
+        std::vector<Eigen::Vector3f> points;
+        for (int k = 0; k < 30; ++k)
+            points.push_back({0.05f * float(i), 0.03f * float(k), 0.01f * std::sin(0.2f * float(k))});
+        builder.add(builder.substrate(stack),
+                    evenStroke(StrokeSection::Round, points, 0.02f, {0.1f, 0.5f, 0.1f}));
+    }
+    RenderOptions coarse;
+    coarse.errorPixels = 0.5;
+    PaintingRenderer exact = make(), fast = std::move(*PaintingRenderer::create(coarse));
+    QVERIFY(exact.update(builder.painting, {}).ok());
+    QVERIFY(fast.update(builder.painting, {}).ok());
+    const FrameCamera far = FrameCamera::lookingAt(Vec3(1, 0.4, 4), Vec3(1, 0.4, 0), 45, 1);
+    const Result<Image> all = exact.image(far, 128, 128), less = fast.image(far, 128, 128);
+    QVERIFY(all.ok() && less.ok());
+    QVERIFY(fast.statistics().segments * 4 < exact.statistics().segments);
+    int off = 0;
+    for (std::size_t i = 0; i < all->pixels.size(); i += 4)
+        off += all->pixels[i] != less->pixels[i];
+    QVERIFY2(off < 128 * 128 / 50, qPrintable(QString::number(off)));
+    // Near by both are the same.
+    const FrameCamera near = FrameCamera::lookingAt(Vec3(1, 0.4, 0.3), Vec3(1, 0.4, 0), 45, 1);
+    QCOMPARE(fast.image(near, 128, 128)->pixels, exact.image(near, 128, 128)->pixels);
 }
 
 void PaintingRendererTest::refusals()

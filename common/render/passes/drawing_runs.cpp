@@ -1,31 +1,60 @@
 #include "render/passes/drawing_runs.h"
 
+#include <vector>
+
 namespace ductus {
 
+namespace {
+
+/// Elements that are drawn alike, so that changes between them stay rare: each costs a draw.
+constexpr std::size_t chunk = 64;
+
+/// Whether all strokes of a chunk are so far away that those with fewer points serve.
+std::vector<bool> chunksThatMayBeCoarse(const DrawnLayer &layer, const ScreenFinder &screen,
+                                        double errorPixels)
+{
+    std::vector<bool> may(layer.elements.size() / chunk + 1, errorPixels > 0);
+    for (std::size_t i = 0; i < layer.elements.size(); ++i) {
+        const DrawnElement &element = layer.elements[i];
+        if (may[i / chunk] && element.coarse.count > 0 &&
+            screen.pixels(element.centre, element.radius, element.coarseError) >= errorPixels)
+            may[i / chunk] = false;
+    }
+    return may;
+}
+
+} // namespace
+
 LayerInView layerInView(const DrawnLayer &layer, const ScreenFinder &screen, double margin,
-                        double smallestPixels)
+                        const Detail &detail, bool mayBeCoarse)
 {
     LayerInView view;
-    for (const DrawnElement &element : layer.elements) {
+    const std::vector<bool> coarseChunks = mayBeCoarse
+                                               ? chunksThatMayBeCoarse(layer, screen, detail.errorPixels)
+                                               : std::vector<bool>(layer.elements.size() / chunk + 1);
+    for (std::size_t at = 0; at < layer.elements.size(); ++at) {
+        const DrawnElement &element = layer.elements[at];
         const double radius = element.radius + margin;
         const PixelRect rect = screen.rect(element.centre, radius);
-        if (rect.isEmpty() || screen.pixels(element.centre, radius, 2 * radius) < smallestPixels)
+        if (rect.isEmpty() || screen.pixels(element.centre, radius, 2 * radius) < detail.smallestPixels)
             continue;
         view.rect = view.rect.with(rect);
         if (element.isMesh) {
-            view.runs.push_back({&element, 0, 0, rect});
+            view.runs.push_back({&element, false, 0, 0, rect});
             continue;
         }
-        if (view.runs.empty() || view.runs.back().mesh)
-            view.runs.push_back({nullptr, std::uint32_t(view.commands.size()), 0, {}});
+        const bool coarse = coarseChunks[at / chunk] && element.coarse.count > 0;
+        const CardRange &range = coarse ? element.coarse : element.range;
+        if (view.runs.empty() || view.runs.back().mesh || view.runs.back().coarse != coarse)
+            view.runs.push_back({nullptr, coarse, std::uint32_t(view.commands.size()), 0, {}});
         DrawingRun &run = view.runs.back();
         run.rect = run.rect.with(rect);
-        view.segments += element.range.count;
+        view.segments += range.count;
         DrawCommand *last = run.commandCount > 0 ? &view.commands.back() : nullptr;
-        if (last && last->firstInstance + last->instances == element.range.first) {
-            last->instances += element.range.count;
+        if (last && last->firstInstance + last->instances == range.first) {
+            last->instances += range.count;
         } else {
-            view.commands.push_back({36, element.range.count, 0, 0, element.range.first});
+            view.commands.push_back({36, range.count, 0, 0, range.first});
             ++run.commandCount;
         }
     }

@@ -22,6 +22,7 @@ struct DrawCommand
 struct DrawingRun
 {
     const DrawnElement *mesh = nullptr;
+    bool coarse = false; // from the segments with fewer points
     std::uint32_t firstCommand = 0, commandCount = 0;
     PixelRect rect;
 };
@@ -34,9 +35,16 @@ struct LayerInView
     std::uint64_t segments = 0;
 };
 
-/// \a margin: by how much elements reach beyond themselves, scene units; \a smallestPixels: what is smaller
-/// across is left out.
+/// What is small may be drawn with less.
+struct Detail
+{
+    double smallestPixels = 0; // what is smaller across is left out
+    double errorPixels = 0;    // strokes may be this much off
+};
+
+/// \a margin: by how much elements reach beyond themselves, scene units. \a mayBeCoarse: whether strokes with
+/// fewer points serve as well.
 LayerInView layerInView(const DrawnLayer &layer, const ScreenFinder &screen, double margin,
-                        double smallestPixels);
+                        const Detail &detail, bool mayBeCoarse);
 
 } // namespace ductus

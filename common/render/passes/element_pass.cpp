@@ -55,7 +55,7 @@ private:
             return program.error();
         use(**program);
         setLayerColour(**program, mLayer);
-        glBindVertexArray(mFrame.painting.segmentArray(mReach == Reach::Surface));
+        glBindVertexArray(mFrame.painting.segmentArray(run.coarse, mReach == Reach::Surface));
         // Their back faces: there is one for each pixel of a box, whether the eye is inside or not.
         glEnable(GL_CULL_FACE);
         glCullFace(GL_FRONT);
@@ -181,7 +181,7 @@ Result<void> drawSubstrate(FrameContext &frame, const DrawnLayer &layer, int pee
     ElementDrawing drawing(frame, layer, Pass::Substrate, StackId{0});
     drawing.peel = peel;
     drawing.isPeeling = peeling;
-    return drawing.draw(frame.lookAt(layer, 0));
+    return drawing.draw(lookAt(frame, layer, true));
 }
 
 Result<void> drawAppearance(FrameContext &frame, const DrawnLayer &layer, const LayerInView &inView,
@@ -194,6 +194,13 @@ Result<void> drawCoverage(FrameContext &frame, const DrawnLayer &layer, const La
                           StackId onlyStack)
 {
     return ElementDrawing(frame, layer, Pass::Coverage, onlyStack).draw(inView);
+}
+
+LayerInView lookAt(const FrameContext &frame, const DrawnLayer &layer, bool isSubstrate)
+{
+    // Directions of reach are known for all points only.
+    return isSubstrate ? frame.lookAt(layer, 0, true)
+                       : frame.lookAt(layer, reachMargin(frame, layer), reachOf(layer) != Reach::Surface);
 }
 
 double reachMargin(const FrameContext &frame, const DrawnLayer &layer)

@@ -17,6 +17,9 @@ Result<void> drawAppearance(FrameContext &frame, const DrawnLayer &layer, const 
 Result<void> drawCoverage(FrameContext &frame, const DrawnLayer &layer, const LayerInView &inView,
                           StackId onlyStack);
 
+/// What is in view of a layer that is a shape, or of one that colours.
+LayerInView lookAt(const FrameContext &frame, const DrawnLayer &layer, bool isSubstrate);
+
 /// By how much the elements of a layer reach beyond themselves.
 double reachMargin(const FrameContext &frame, const DrawnLayer &layer);
 

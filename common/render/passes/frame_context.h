@@ -24,7 +24,7 @@ struct FrameContext
     const GlVertexArray &nothing; // for whole-frame triangles
     FrameCamera camera;
     ScreenFinder screen;
-    double smallestPixels = 0;
+    Detail detail;
     std::uint32_t orderBase = 0; // of the next layer, order.glsl
     FrameStatistics statistics;
 
@@ -33,7 +33,7 @@ struct FrameContext
     void setScissor(const PixelRect &rect) const;
     void drawWholeFrame();
     /// The visible elements of a layer, its commands sent.
-    LayerInView lookAt(const DrawnLayer &layer, double margin) const;
+    LayerInView lookAt(const DrawnLayer &layer, double margin, bool mayBeCoarse) const;
 };
 
 /// Whether anything was drawn between two calls; waits for the card.

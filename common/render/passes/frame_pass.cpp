@@ -78,7 +78,7 @@ Result<void> composite(FrameContext &frame, const DrawnLayer &layer, const Pixel
 Result<void> drawLayer(FrameContext &frame, MaskBlocks &blocks, const DrawnLayer &layer,
                        const PixelRect &within, StackId onlyStack)
 {
-    const LayerInView inView = frame.lookAt(layer, reachMargin(frame, layer));
+    const LayerInView inView = lookAt(frame, layer, false);
     const PixelRect rect = inView.rect.cutBy(within);
     if (rect.isEmpty())
         return {};

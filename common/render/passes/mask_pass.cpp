@@ -62,7 +62,7 @@ Result<void> drawStrokesOf(FrameContext &frame, const StrokeMask &mask, const Pi
     const DrawnLayer *layer = frame.painting.maskLayer(mask.layer);
     if (!layer)
         return {};
-    return drawCoverage(frame, *layer, frame.lookAt(*layer, reachMargin(frame, *layer)), onlyStack);
+    return drawCoverage(frame, *layer, lookAt(frame, *layer, false), onlyStack);
 }
 
 } // namespace

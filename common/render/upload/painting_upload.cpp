@@ -3,6 +3,7 @@
 #include "painting/coverage/reach.h"
 #include "painting/coverage/stroke_segments.h"
 #include "render/gl/gl_error.h"
+#include "render/upload/coarse_stroke.h"
 #include "render/upload/mesh_vertex.h"
 
 #include <algorithm>
@@ -165,8 +166,16 @@ Result<DrawnLayer> PaintingUpload::drawn(const Layer &layer, const LayerProperti
         if (known.range.count == 0)
             continue;
         const StrokeSummary &summary = known.summary;
-        made.elements.push_back({known.row, known.isMesh, known.range, place.matrix() * summary.box.centre(),
-                                 0.5 * summary.box.diagonal() * place.scale, known.meanColour});
+        DrawnElement drawn;
+        drawn.row = known.row;
+        drawn.isMesh = known.isMesh;
+        drawn.range = known.range;
+        drawn.coarse = known.coarse;
+        drawn.coarseError = known.coarseError * place.scale;
+        drawn.centre = place.matrix() * summary.box.centre();
+        drawn.radius = 0.5 * summary.box.diagonal() * place.scale;
+        drawn.meanColour = known.meanColour;
+        made.elements.push_back(drawn);
         made.uniformColour &= summary.uniformColour;
         made.isTranslucent |= summary.leastOpacity < 1;
         made.sections |= summary.sections;
@@ -185,8 +194,8 @@ Result<PaintingUpload::Entry *> PaintingUpload::entryOf(const Element &element)
     if (isNew)
         entry.row = mTable.add();
     else
-        (entry.isMesh ? mTriangles : mSegments).give(entry.range);
-    entry.range = {};
+        giveRanges(entry);
+    entry.range = entry.coarse = {};
     entry.shape = element.shape;
     entry.version = ++mVersion;
     entry.summary = {};
@@ -204,20 +213,51 @@ Result<PaintingUpload::Entry *> PaintingUpload::entryOf(const Element &element)
         return &entry;
     }
     entry.isMesh = false;
+    if (Result<void> sent = sendStroke(std::get<StrokeShape>(*element.shape), entry); !sent)
+        return sent.error();
+    return &entry;
+}
+
+Result<void> PaintingUpload::sendStroke(const StrokeShape &stroke, Entry &entry)
+{
     std::vector<SegmentData> segments;
-    appendStrokeSegments(std::get<StrokeShape>(*element.shape), Eigen::Affine3d::Identity(), 0, std::nullopt,
-                         segments);
+    appendStrokeSegments(stroke, Eigen::Affine3d::Identity(), 0, std::nullopt, segments);
     entry.summary = summaryOf(segments);
-    std::vector<SegmentInstance> instances;
-    instances.reserve(segments.size());
-    for (const SegmentData &segment : segments)
-        instances.push_back(instanceOf(segment, entry.row));
-    const Result<CardRange> range = mSegments.take(std::uint32_t(instances.size()));
+    Result<CardRange> range = sendSegments(segments, entry.row, mSegments);
     if (!range)
         return range.error();
     entry.range = *range;
-    mSegments.write(entry.range, instances.data());
-    return &entry;
+
+    const CoarseStroke coarse = coarseStroke(stroke);
+    entry.coarseError = coarse.error;
+    if (coarse.shape.points.size() * 2 > stroke.points.size())
+        return {}; // not worth its room
+    segments.clear();
+    appendStrokeSegments(coarse.shape, Eigen::Affine3d::Identity(), 0, std::nullopt, segments);
+    range = sendSegments(segments, entry.row, mCoarse);
+    if (!range)
+        return range.error();
+    entry.coarse = *range;
+    return {};
+}
+
+Result<CardRange> PaintingUpload::sendSegments(const std::vector<SegmentData> &segments, std::uint32_t row,
+                                               CardArena &to)
+{
+    std::vector<SegmentInstance> instances;
+    instances.reserve(segments.size());
+    for (const SegmentData &segment : segments)
+        instances.push_back(instanceOf(segment, row));
+    Result<CardRange> range = to.take(std::uint32_t(instances.size()));
+    if (range)
+        to.write(*range, instances.data());
+    return range;
+}
+
+void PaintingUpload::giveRanges(const Entry &entry)
+{
+    (entry.isMesh ? mTriangles : mSegments).give(entry.range);
+    mCoarse.give(entry.coarse);
 }
 
 void PaintingUpload::dropUnseen(const Painting &painting)
@@ -238,7 +278,7 @@ void PaintingUpload::dropUnseen(const Painting &painting)
             ++entry;
             continue;
         }
-        (entry->second.isMesh ? mTriangles : mSegments).give(entry->second.range);
+        giveRanges(entry->second);
         mTable.remove(entry->second.row);
         entry = mEntries.erase(entry);
     }
@@ -358,9 +398,10 @@ void PaintingUpload::addBoxIndices()
         glBufferData(GL_ELEMENT_ARRAY_BUFFER, sizeof(indices), indices.data(), GL_STATIC_DRAW);
 }
 
-GLuint PaintingUpload::segmentArray(bool withReach)
+GLuint PaintingUpload::segmentArray(bool coarse, bool withReach)
 {
-    GlVertexArray &array = beginArray(withReach ? mReachArray : mSegmentArray, mSegments.buffer());
+    GlVertexArray &array =
+        beginArray(withReach ? mReachArray : mSegmentArray, (coarse ? mCoarse : mSegments).buffer());
     addBoxIndices();
     constexpr std::size_t stride = sizeof(SegmentInstance);
     setAttribute(0, 4, GL_FLOAT, stride, offsetof(SegmentInstance, a), 1);
@@ -402,7 +443,8 @@ GLuint PaintingUpload::triangleArray()
 
 UploadedBytes PaintingUpload::uploaded() const
 {
-    return {mSegments.bytesWritten() + mTriangles.bytesWritten(), mTable.bytesWritten(), mReachBytes};
+    return {mSegments.bytesWritten() + mCoarse.bytesWritten() + mTriangles.bytesWritten(),
+            mTable.bytesWritten(), mReachBytes};
 }
 
 } // namespace ductus

@@ -18,6 +18,8 @@ struct DrawnElement
     std::uint32_t row = 0;
     bool isMesh = false;
     CardRange range;            // of segments, or of triangles
+    CardRange coarse;           // of segments with fewer points; empty if there are none
+    double coarseError = 0;     // by how much they differ, scene units
     Vec3 centre = Vec3::Zero(); // a ball around the skin, scene units
     double radius = 0;
     Eigen::Vector3f meanColour = Eigen::Vector3f::Zero(); // of meshes, linear RGB
@@ -68,7 +70,8 @@ public:
 
     /// Vertex arrays with the current buffers, bound; of boxes with the 36 indices (16 bits) of their
     /// triangles, an instance each.
-    GLuint segmentArray(bool withReach);
+    /// \a coarse: of DrawnElement::coarse, which have no reach.
+    GLuint segmentArray(bool coarse, bool withReach);
     GLuint meshArray();
     GLuint triangleArray();
     void bindElements() const { mTable.bind(); }
@@ -83,6 +86,8 @@ private:
         std::shared_ptr<const ElementShape> shape; // kept, so that its address stays its name
         std::uint32_t row = 0;
         CardRange range;
+        CardRange coarse;
+        double coarseError = 0; // element's unit
         bool isMesh = false;
         StrokeSummary summary;
         Eigen::Vector3f meanColour = Eigen::Vector3f::Zero();
@@ -93,12 +98,17 @@ private:
     Result<DrawnLayer> drawn(const Layer &layer, const LayerProperties &properties, StackId stack,
                              const ElementPlacements &placements);
     Result<Entry *> entryOf(const Element &element);
+    Result<void> sendStroke(const StrokeShape &stroke, Entry &entry);
+    Result<CardRange> sendSegments(const std::vector<SegmentData> &segments, std::uint32_t row,
+                                   CardArena &to);
+    void giveRanges(const Entry &entry);
     Result<void> updateReaches(const Painting &painting, const ElementPlacements &placements);
     Result<void> writeReach(const DrawnLayer &layer, const LayerSolid &solid);
     std::uint64_t signatureOf(const DrawnLayer &layer) const;
     void dropUnseen(const Painting &painting);
 
     CardArena mSegments{sizeof(SegmentInstance)};
+    CardArena mCoarse{sizeof(SegmentInstance)};
     CardArena mTriangles{3 * 24};
     GlBuffer mBoxIndices;
     GlBuffer mReach; // as many as mSegments
