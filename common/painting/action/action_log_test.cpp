@@ -51,6 +51,7 @@ private slots:
     void refusalsNameTheLine();
     void startsFromAPainting();
     void stopsStepByStep();
+    void theManualHasAnExampleOfEveryAction();
 
 private:
     std::set<std::string_view> mSeen;
@@ -227,6 +228,22 @@ void ActionLogTest::stopsStepByStep()
     });
     QCOMPARE(stacks, std::vector<std::size_t>{1});
     QCOMPARE(painting->stacks.size(), std::size_t(1));
+}
+
+void ActionLogTest::theManualHasAnExampleOfEveryAction()
+{
+    QFile manual(DUCTUS_SOURCE_DIR "/resources/manual/layerpainter-actions.md");
+    QVERIFY(manual.open(QIODevice::ReadOnly));
+    std::set<std::string_view> seen;
+    for (const QByteArray &line : manual.readAll().split('\n')) {
+        if (!line.startsWith("{\""))
+            continue;
+        const auto log = parsed(line.toStdString());
+        QVERIFY2(log.ok() && log->size() == 1, log.ok() ? "" : log.error().message().c_str());
+        if (const auto *action = std::get_if<PaintingAction>(&log->front().event))
+            seen.insert(actionWord(*action));
+    }
+    QCOMPARE(seen.size(), std::variant_size_v<PaintingAction>);
 }
 
 QTEST_APPLESS_MAIN(ActionLogTest)

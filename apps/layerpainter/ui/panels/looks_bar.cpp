@@ -33,7 +33,8 @@ LooksBar::LooksBar(PaintingDocument &document, QWidget *parent) : QWidget(parent
     layout->addStretch();
     connect(&mDocument, &Document::changed, this, [this](const ChangeEvent &event) {
         const auto *change = event.as<PaintingChanged>();
-        if (!change)
+        // Whatever else changes the layers' properties leaves the look.
+        if (!change || (change->properties && !mIsSwitching))
             mCurrent.reset();
         if (!change || change->looks || change->properties)
             refresh();
@@ -68,8 +69,10 @@ void LooksBar::refresh()
         chip->setToolTip(tr("Shows this look; right click to update, rename or delete it."));
         chip->setContextMenuPolicy(Qt::CustomContextMenu);
         connect(chip, &QToolButton::clicked, this, [this, id = look.id] {
+            mIsSwitching = true;
             mCurrent = id;
             (void)mDocument.perform(act::ApplyLook{id});
+            mIsSwitching = false;
         });
         connect(chip, &QToolButton::customContextMenuRequested, this,
                 [this, id = look.id, chip](const QPoint &at) { showMenu(id, chip->mapToGlobal(at)); });

@@ -23,7 +23,8 @@ private:
 
     PaintingDocument &mDocument;
     QHBoxLayout *mChips;
-    std::optional<LookId> mCurrent; // the last one switched to
+    std::optional<LookId> mCurrent; // shown now
+    bool mIsSwitching = false;
 };
 
 } // namespace ductus

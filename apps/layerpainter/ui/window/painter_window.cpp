@@ -118,6 +118,7 @@ void PainterWindow::onDocumentChanged(const ChangeEvent &event)
     if (!change) {
         mBrushPanel->setExtent(paintingBox(mPainting.painting()).diagonal());
         setTool(PainterTool::Orbit);
+        setPointerText({});
         return;
     }
     if (change->elements && mTool == PainterTool::Paint)

@@ -159,10 +159,18 @@ void PainterWindowTest::switchesLooksByAClick()
             QTest::mouseClick(chip, Qt::LeftButton);
             break;
         }
+    const auto isNightChosen = [&] {
+        for (auto *chip : mApp->window->findChildren<QToolButton *>())
+            if (chip->text() == "Night" && chip->isVisible() && chip->isChecked())
+                return true;
+        return false;
+    };
+    QVERIFY(QTest::qWaitFor(isNightChosen, 5000));
     QVERIFY(QTest::qWaitFor([&] { return mApp->window->view().picture() != day; }, 20'000));
     mApp->shot("04-night");
     QCOMPARE(mApp->window->painting().undoStack()->undoText(), QString("Switch look"));
     mApp->press(Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(QTest::qWaitFor([&] { return !isNightChosen(); }, 5000));
 }
 
 void PainterWindowTest::selectsDuplicatesMovesAndErases()
