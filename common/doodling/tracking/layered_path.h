@@ -26,10 +26,9 @@ struct PathCell
 
 struct LayeredPathOptions
 {
-    double hiddenCost = 0.0025; // a frame, squared scene units: beyond a step error of 5 % of a unit it
-                                // hides. Scenes are some ten units deep
-    int hiddenPoints = 48;  // kept a frame; 0: the path never leaves the cells
-    int longestHidden = 24; // frames
+    double hiddenCost = 0.0025; // a frame in hiding, squared scene units
+    int hiddenPoints = 48;      // kept a frame; 0: the path never leaves the cells
+    int longestHidden = 24;     // frames
 };
 
 struct LayeredPath
