@@ -22,6 +22,7 @@ private slots:
     void twoViewsAreTwoFrames();
     void whatIsOutsideTheViewIsNotDrawn();
     void farStrokesCostLess();
+    void whatOthersLeaveDoesNotMatter();
     void refusals();
     void frameAfterFrameIsTheSame();
 
@@ -226,6 +227,27 @@ void PaintingRendererTest::farStrokesCostLess()
     // Near by both are the same.
     const FrameCamera near = FrameCamera::lookingAt(Vec3(1, 0.4, 0.3), Vec3(1, 0.4, 0), 45, 1);
     QCOMPARE(fast.image(near, 128, 128)->pixels, exact.image(near, 128, 128)->pixels);
+}
+
+void PaintingRendererTest::whatOthersLeaveDoesNotMatter()
+{
+    const PaintingScene scene = meshes();
+    PaintingRenderer renderer = make();
+    QVERIFY(renderer.update(scene.painting, scene.moment).ok());
+    const Result<Image> clean = renderer.image(scene.camera, 80, 60);
+    glEnable(GL_STENCIL_TEST);
+    glStencilFunc(GL_NEVER, 0, 0xff);
+    glColorMask(GL_TRUE, GL_FALSE, GL_FALSE, GL_TRUE);
+    glDepthMask(GL_FALSE);
+    glBlendEquation(GL_FUNC_REVERSE_SUBTRACT);
+    glFrontFace(GL_CW);
+    glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+    glEnable(GL_FRAMEBUFFER_SRGB);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(3, 3, 5, 5);
+    const Result<Image> after = renderer.image(scene.camera, 80, 60);
+    QVERIFY(clean.ok() && after.ok());
+    QCOMPARE(after->pixels, clean->pixels);
 }
 
 void PaintingRendererTest::refusals()

@@ -178,6 +178,19 @@ bool needsPeeling(const PaintingUpload &painting)
 
 Result<void> drawFrame(FrameContext &frame, MaskBlocks &blocks)
 {
+    // Whoever drew before in this context (QPainter, VTK) may have left anything.
+    glDisable(GL_STENCIL_TEST);
+    glDisable(GL_FRAMEBUFFER_SRGB);
+    glDisable(GL_PRIMITIVE_RESTART);
+    glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+    glDisable(GL_RASTERIZER_DISCARD);
+    glDisable(GL_COLOR_LOGIC_OP);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glBlendEquation(GL_FUNC_ADD);
+    glFrontFace(GL_CCW);
+    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    for (int unit = 0; unit <= 4; ++unit)
+        glBindSampler(GLuint(unit), 0);
     glViewport(0, 0, frame.buffers.width(), frame.buffers.height());
     glEnable(GL_SCISSOR_TEST);
     glEnable(GL_DEPTH_CLAMP);
