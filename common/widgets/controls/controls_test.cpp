@@ -35,6 +35,14 @@ SegmentedSwitch *threeViews(QWidget &window)
                                true, &window);
 }
 
+// The key 2, at a time in milliseconds as the window system would say it.
+void sendKey(QWidget &window, QEvent::Type type, quint64 timestamp)
+{
+    QKeyEvent event(type, Qt::Key_2, Qt::NoModifier, QStringLiteral("2"));
+    event.setTimestamp(timestamp);
+    QApplication::sendEvent(&window, &event);
+}
+
 } // namespace
 
 class ControlsTest : public QObject
@@ -51,6 +59,7 @@ private slots:
     void valuesStayInTheRange();
     void keysChooseViews();
     void aHeldKeyPeeks();
+    void aTapIsNoPeekHoweverSlowTheWindow();
     void keysAreLeftToFieldsAndOtherKeys();
     void disabledViewsAreNotChosen();
     void arrowsMoveTheSwitch();
@@ -180,13 +189,29 @@ void ControlsTest::aHeldKeyPeeks()
     SegmentedSwitch *views = threeViews(window);
     window.show();
     QSignalSpy current(views, &SegmentedSwitch::currentChanged);
-    QTest::keyPress(&window, Qt::Key_2);
+    sendKey(window, QEvent::KeyPress, 1'000);
     QCOMPARE(views->shown(), 1);
     QCOMPARE(views->current(), 0);
-    QTest::qWait(400);
-    QTest::keyRelease(&window, Qt::Key_2);
+    sendKey(window, QEvent::KeyRelease, 1'400);
     QCOMPARE(views->shown(), 0);
     QCOMPARE(current.count(), 0);
+    // Over the end of the clock of X11.
+    sendKey(window, QEvent::KeyPress, 0xffff'ff00u);
+    sendKey(window, QEvent::KeyRelease, 0x100);
+    QCOMPARE(views->current(), 0);
+}
+
+// The picture of the other view took longer than a peek: the finger was up all the while.
+void ControlsTest::aTapIsNoPeekHoweverSlowTheWindow()
+{
+    QWidget window;
+    SegmentedSwitch *views = threeViews(window);
+    window.show();
+    connect(views, &SegmentedSwitch::shownChanged, views, [] { QTest::qSleep(400); });
+    sendKey(window, QEvent::KeyPress, 1'000);
+    sendKey(window, QEvent::KeyRelease, 1'080);
+    QCOMPARE(views->shown(), 1);
+    QCOMPARE(views->current(), 1);
 }
 
 void ControlsTest::keysAreLeftToFieldsAndOtherKeys()

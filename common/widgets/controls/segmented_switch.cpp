@@ -6,7 +6,6 @@
 #include <QAbstractSpinBox>
 #include <QApplication>
 #include <QButtonGroup>
-#include <QDateTime>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLineEdit>
@@ -16,7 +15,7 @@ namespace ductus {
 
 namespace {
 
-constexpr qint64 peekMs = 250; // a key held longer than this peeks
+constexpr quint32 peekMs = 250; // a key held longer than this peeks
 
 bool isTyping()
 {
@@ -134,16 +133,18 @@ void SegmentedSwitch::updateToolTip(int index)
     mGroup->button(index)->setToolTip(tip);
 }
 
-bool SegmentedSwitch::handleKey(int key, bool pressed, bool isRepeat)
+bool SegmentedSwitch::handleKey(const QKeyEvent &event)
 {
+    const int key = event.key();
+    const bool pressed = event.type() == QEvent::KeyPress;
     const int index = key - Qt::Key_1;
     if (index < 0 || index >= std::min(count(), 9) || !mReasons[index].isEmpty())
         return false;
-    if (isRepeat)
+    if (event.isAutoRepeat())
         return true;
     if (pressed) {
         mHeldKey = key;
-        mHeldSince = QDateTime::currentMSecsSinceEpoch();
+        mHeldSince = event.timestamp();
         const int before = shown();
         mPeeked = index == mCurrent ? -1 : index;
         updateChecked();
@@ -156,7 +157,9 @@ bool SegmentedSwitch::handleKey(int key, bool pressed, bool isRepeat)
     mHeldKey = 0;
     if (mPeeked < 0)
         return true;
-    const bool isPeek = QDateTime::currentMSecsSinceEpoch() - mHeldSince > peekMs;
+    // When the fingers moved, and not when we came to hear of it: a slow frame may lie between. X11 counts
+    // milliseconds in 32 bits and begins again after seven weeks.
+    const bool isPeek = quint32(event.timestamp() - mHeldSince) > peekMs;
     const int peeked = mPeeked;
     mPeeked = -1;
     if (isPeek) {
@@ -196,7 +199,7 @@ bool SegmentedSwitch::eventFilter(QObject *watched, QEvent *event)
         return false;
     if (!isRelease && (!isPlain || isTyping()))
         return false;
-    return handleKey(key->key(), event->type() == QEvent::KeyPress, key->isAutoRepeat());
+    return handleKey(*key);
 }
 
 void SegmentedSwitch::keyPressEvent(QKeyEvent *event)

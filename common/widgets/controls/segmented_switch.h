@@ -53,7 +53,7 @@ private:
     void choose(int index);
     void updateChecked();
     void updateToolTip(int index);
-    bool handleKey(int key, bool pressed, bool isRepeat);
+    bool handleKey(const QKeyEvent &event);
 
     QList<Segment> mSegments;
     QList<QString> mReasons;
@@ -63,7 +63,7 @@ private:
     int mCurrent = 0;
     int mPeeked = -1;
     int mHeldKey = 0;
-    qint64 mHeldSince = 0;
+    quint64 mHeldSince = 0; // timestamp of the press, ms
 };
 
 } // namespace ductus

@@ -91,7 +91,10 @@ struct App
     }
     void press(Qt::Key key, Qt::KeyboardModifiers modifiers = {})
     {
-        QTest::keyClick(window->windowHandle(), key, modifiers);
+        // To the widget and not to its window: such a click takes no time, however long the window draws
+        // between press and release.
+        QWidget *focus = QApplication::focusWidget();
+        QTest::keyClick(focus && focus->window() == window.get() ? focus : window.get(), key, modifiers);
     }
     bool waitForResult()
     {
