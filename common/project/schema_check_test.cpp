@@ -69,7 +69,7 @@ void SchemaCheckTest::schemasChangeOnlyWithTheirVersion()
     QCOMPARE(sha256Hex(asBytes(schemaText("project"))),
              std::string("8c190017f6c8691b626f668f80157023ed250afcd9508bd2654168b7e59f635a"));
     QCOMPARE(sha256Hex(asBytes(schemaText("sketch_surface"))),
-             std::string("97c11e462a2f70efb0857baf6ee6b23e2c1eaf9faeb34ea7aa2eb238e688c0a1"));
+             std::string("0ce483bef1634b576f8e6f5b30b6a35afdecda97c988fa2bb556509243275bad"));
 }
 
 QTEST_APPLESS_MAIN(SchemaCheckTest)

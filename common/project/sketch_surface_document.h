@@ -53,12 +53,31 @@ struct StoredSurface
     UnknownMembers unknown;
 };
 
+struct StoredReadingModel
+{
+    int degree = 1;                   // 1..4
+    Vec3 origin = Vec3::Zero();       // the monomials are of the point less the origin
+    std::vector<double> coefficients; // in order of degree: 1, x, y, z, xx, xy, ...
+    UnknownMembers unknown;
+};
+
+/// What the user took the sketch for where the strokes allow more than one surface: regions, told by points
+/// of the proxy. All in the sketch's unit.
+struct StoredReading
+{
+    std::vector<Vec3> points;
+    std::vector<int> labels; // index into models, one a point
+    std::vector<StoredReadingModel> models;
+    UnknownMembers unknown;
+};
+
 struct SketchSurfaceDocument
 {
     StrokeSet strokes; // ids unique and valid
     SurfacingSettings settings;
     std::optional<StoredProxy> proxy;
     std::optional<StoredSurface> surface;
+    std::optional<StoredReading> reading;             // none: the likeliest
     std::map<StrokeId, UnknownMembers> strokeUnknown; // further channels of strokes, by later versions
     UnknownMembers unknown;
 };

@@ -75,6 +75,35 @@ Project projectV1()
     return project;
 }
 
+// Made when a chosen reading began to be stored.
+const fs::path fixtureReading = fs::path(DUCTUS_SOURCE_DIR) / "tests/format/v1/sketch_surface_reading.ductus";
+
+Project projectWithReading()
+{
+    Project project = projectV1();
+    SketchSurfaceDocument document = documentV1();
+    StoredReading reading;
+    reading.points = {{0.5, 0.25, -0.125}, {1.0 / 3.0, 2.0, -0.0}, {7.0, 8.0, 9.0}};
+    reading.labels = {1, 0, 1};
+    reading.models = {{1, {0.1, 0.2, 0.30000000000000004}, {1.0, 0.0, -0.5, 2.0}, {}},
+                      {2, {0.0, 0.0, 0.0}, {1, 2, 3, 4, 5, 6, 7, 8, 9, 1.0 / 3.0}, {}}};
+    document.reading = reading;
+    project.documents.clear();
+    project.documents.push_back(newSketchSurface(*Uuid::parse("aaaaaaaa-bbbb-4ccc-8ddd-eeeeeeeeeeef"),
+                                                 "Another reading", std::move(document)));
+    return project;
+}
+
+void writeIfMissing(const fs::path &path, const Project &project)
+{
+    if (fs::exists(path))
+        return;
+    const Bytes bytes = serializedProject(project)->bytes;
+    fs::create_directories(path.parent_path());
+    std::ofstream(path, std::ios::binary)
+        .write(reinterpret_cast<const char *>(bytes.data()), std::streamsize(bytes.size()));
+}
+
 Bytes readBytes(const fs::path &path)
 {
     std::ifstream file(path, std::ios::binary);
@@ -94,16 +123,15 @@ private slots:
     void version1IsKeptUnchanged();
     void version1IsValid();
     void version1SavesWithoutLoss();
+    void aChosenReadingOpensWithAllValues();
 };
 
 void FixturesTest::initTestCase()
 {
-    if (!qEnvironmentVariableIsSet("DUCTUS_WRITE_FIXTURES") || fs::exists(fixtureV1))
+    if (!qEnvironmentVariableIsSet("DUCTUS_WRITE_FIXTURES"))
         return;
-    const Bytes bytes = serializedProject(projectV1())->bytes;
-    fs::create_directories(fixtureV1.parent_path());
-    std::ofstream(fixtureV1, std::ios::binary)
-        .write(reinterpret_cast<const char *>(bytes.data()), std::streamsize(bytes.size()));
+    writeIfMissing(fixtureV1, projectV1());
+    writeIfMissing(fixtureReading, projectWithReading());
 }
 
 void FixturesTest::version1OpensWithAllValues()
@@ -140,6 +168,21 @@ void FixturesTest::version1SavesWithoutLoss()
     QCOMPARE(difference(project, *again), std::string());
     const Result<Bytes> notes = unpacked(again->keptEntries.at("future/notes.txt"), "notes");
     QVERIFY(std::ranges::equal(*notes, asBytes("kept as it is\n")));
+}
+
+void FixturesTest::aChosenReadingOpensWithAllValues()
+{
+    const Result<Project> project = openProject(fixtureReading);
+    QVERIFY2(project.ok(), project.ok() ? "" : project.error().message().c_str());
+    QCOMPARE(difference(projectWithReading(), *project), std::string());
+    QVERIFY(project->warnings.empty() && !project->readOnly);
+    const StoredReading &reading = *project->documents[0].sketchSurface->reading;
+    QCOMPARE(reading.labels[2], 1);
+    QCOMPARE(reading.models[1].coefficients[9], 1.0 / 3.0);
+    const auto lines = projectSchemaViolations(readBytes(fixtureReading), "reading");
+    QVERIFY(lines.ok() && lines->empty());
+    QCOMPARE(sha256Hex(readBytes(fixtureReading)),
+             std::string("bd7cf2ff57a3ff3a7863e965ec3df62d6aff44871852f451cced606e8a00126c"));
 }
 
 QTEST_APPLESS_MAIN(FixturesTest)

@@ -111,6 +111,27 @@ void checkSurface(const StoredSurface &surface, Checker &checker)
     }
 }
 
+void checkReading(const StoredReading &reading, Checker &checker)
+{
+    checker.requireFinite(reading.points, "reading/points");
+    checker.require(reading.labels.size() == reading.points.size(), "reading/labels",
+                    "there must be one label a point");
+    checker.require(reading.models.size() <= maxStoredModels, "reading/models", "there are too many");
+    for (int label : reading.labels)
+        checker.require(label >= 0 && std::size_t(label) < reading.models.size(), "reading/labels",
+                        "there is no such model");
+    for (std::size_t i = 0; i < reading.models.size(); ++i) {
+        const StoredReadingModel &model = reading.models[i];
+        const std::string field = "reading/models/" + std::to_string(i);
+        checker.require(model.degree >= 1 && model.degree <= maxReadingDegree, field + "/degree",
+                        "the degree must be 1 to 4");
+        checker.require(model.coefficients.size() == readingCoefficients(model.degree),
+                        field + "/coefficients", "there must be one for each monomial");
+        checker.requireFinite(model.coefficients, field + "/coefficients");
+        checker.requireFinite(std::vector<Vec3>{model.origin}, field + "/origin");
+    }
+}
+
 } // namespace
 
 Result<void> checkSketchSurface(const SketchSurfaceDocument &document, const std::string &place)
@@ -122,6 +143,8 @@ Result<void> checkSketchSurface(const SketchSurfaceDocument &document, const std
         checker.requireMesh(document.proxy->mesh, "proxy/mesh");
     if (document.surface)
         checkSurface(*document.surface, checker);
+    if (document.reading)
+        checkReading(*document.reading, checker);
     return checker.result();
 }
 

@@ -18,6 +18,12 @@ inline constexpr std::pair<std::string_view, UpAxis> upAxisNames[] = {{"y", UpAx
 
 inline constexpr std::size_t maxStoredStrokes = 1'000'000;
 inline constexpr std::size_t maxStoredModels = 100'000;
+inline constexpr int maxReadingDegree = 4;
+/// How many monomials of up to \a degree three variables have.
+constexpr std::size_t readingCoefficients(int degree)
+{
+    return std::size_t((degree + 1) * (degree + 2) * (degree + 3) / 6);
+}
 inline constexpr int maxRegion = std::numeric_limits<int>::max(); // exclusive
 
 } // namespace ductus

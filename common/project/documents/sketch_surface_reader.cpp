@@ -141,6 +141,29 @@ StoredSurface loadSurface(const JsonReader &reader, ArrayLoader &arrays)
     return surface;
 }
 
+StoredReading loadReading(const JsonReader &reader, ArrayLoader &arrays)
+{
+    StoredReading reading;
+    reading.points = loadPoints(reader, "points", arrays);
+    for (const JsonReader &element : reader.elements("models", maxStoredModels)) {
+        if (element.failed())
+            break;
+        StoredReadingModel model;
+        model.degree = int(element.integer("degree", 1, maxReadingDegree));
+        model.origin = loadTriple(element, "origin");
+        model.coefficients = arrays.load<double>(element, "coefficients", 1);
+        if (!element.failed() && model.coefficients.size() != readingCoefficients(model.degree))
+            element.failAt("coefficients", "there must be one for each monomial");
+        model.unknown = element.unknown({"degree", "origin", "coefficients"});
+        reading.models.push_back(std::move(model));
+    }
+    reading.labels = loadIndices(reader, "labels", 1, int(reading.models.size()), arrays);
+    if (!reader.failed() && reading.labels.size() != reading.points.size())
+        reader.failAt("labels", "there must be one label a point");
+    reading.unknown = reader.unknown({"points", "labels", "models"});
+    return reading;
+}
+
 } // namespace
 
 SketchSurfaceDocument sketchSurfaceFromJson(const JsonReader &reader, ArrayLoader &arrays)
@@ -167,8 +190,10 @@ SketchSurfaceDocument sketchSurfaceFromJson(const JsonReader &reader, ArrayLoade
     }
     if (reader.has("surface"))
         document.surface = loadSurface(reader.member("surface"), arrays);
+    if (reader.has("reading"))
+        document.reading = loadReading(reader.member("reading"), arrays);
     document.unknown = reader.unknown({"schema", "version", "minReader", "id", "metresPerUnit", "upAxis",
-                                       "strokes", "settings", "proxy", "surface"});
+                                       "strokes", "settings", "proxy", "surface", "reading"});
     return document;
 }
 

@@ -144,6 +144,39 @@ OrderedJson surfaceJson(const StoredSurface &surface, const SurfaceArrays &array
     return json;
 }
 
+struct ReadingArrays
+{
+    Handle points;
+    Handle labels;
+    std::vector<Handle> coefficients; // one a model
+};
+
+ReadingArrays addReading(const StoredReading &reading, BufferPacker &packer)
+{
+    packer.startBuffer();
+    ReadingArrays arrays{addPoints(reading.points, packer), addIndices(reading.labels, packer), {}};
+    for (const StoredReadingModel &model : reading.models)
+        arrays.coefficients.push_back(packer.add<double>(model.coefficients, {model.coefficients.size()}));
+    packer.startBuffer();
+    return arrays;
+}
+
+OrderedJson readingJson(const StoredReading &reading, const ReadingArrays &arrays, const BufferPacker &packer)
+{
+    OrderedJson json = {{"points", packer.reference(arrays.points).toJson()},
+                        {"labels", packer.reference(arrays.labels).toJson()},
+                        {"models", OrderedJson::array()}};
+    for (std::size_t i = 0; i < reading.models.size(); ++i) {
+        OrderedJson model = {{"degree", reading.models[i].degree},
+                             {"origin", tripleJson(reading.models[i].origin)},
+                             {"coefficients", packer.reference(arrays.coefficients[i]).toJson()}};
+        addUnknown(model, reading.models[i].unknown);
+        json["models"].push_back(std::move(model));
+    }
+    addUnknown(json, reading.unknown);
+    return json;
+}
+
 OrderedJson strokeJson(const Stroke &stroke, const StrokeArrays &arrays, const BufferPacker &packer)
 {
     OrderedJson json = {{"id", stroke.id.value},
@@ -173,6 +206,9 @@ OrderedJson sketchSurfaceToJson(const SketchSurfaceDocument &document, const Uui
     std::optional<SurfaceArrays> surfaceArrays;
     if (document.surface)
         surfaceArrays = addSurface(*document.surface, packer);
+    std::optional<ReadingArrays> readingArrays;
+    if (document.reading)
+        readingArrays = addReading(*document.reading, packer);
     packer.finish();
 
     OrderedJson json = {{"schema", sketchSurfaceKind},
@@ -196,6 +232,8 @@ OrderedJson sketchSurfaceToJson(const SketchSurfaceDocument &document, const Uui
     }
     if (document.surface)
         json["surface"] = surfaceJson(*document.surface, *surfaceArrays, packer);
+    if (document.reading)
+        json["reading"] = readingJson(*document.reading, *readingArrays, packer);
     addUnknown(json, document.unknown);
     return json;
 }

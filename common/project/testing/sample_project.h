@@ -56,6 +56,11 @@ inline SketchSurfaceDocument sampleSketchSurface(std::uint64_t seed, int strokeC
     surface.models = {{1, {0.1, -0.2, 0.3, random.normal()}, {}},
                       {2, std::vector<double>(10, random.normal()), {}}};
     document.surface = std::move(surface);
+    document.reading = StoredReading{{randomPoint(), randomPoint(), randomPoint()},
+                                     {1, 0, 1},
+                                     {{1, randomPoint(), {0.5, -0.0, random.normal(), 1.0}, {}},
+                                      {2, randomPoint(), std::vector<double>(10, random.normal()), {}}},
+                                     {}};
     return document;
 }
 
@@ -132,6 +137,20 @@ inline std::string difference(const SketchSurfaceDocument &a, const SketchSurfac
             if (m.degree != n.degree || !sameNumbers(m.coefficients, n.coefficients) ||
                 m.unknown != n.unknown)
                 return "model " + std::to_string(i);
+        }
+    }
+    if (a.reading.has_value() != b.reading.has_value())
+        return "reading";
+    if (a.reading) {
+        if (!samePoints(a.reading->points, b.reading->points) || a.reading->labels != b.reading->labels ||
+            a.reading->unknown != b.reading->unknown || a.reading->models.size() != b.reading->models.size())
+            return "reading";
+        for (std::size_t i = 0; i < a.reading->models.size(); ++i) {
+            const StoredReadingModel &m = a.reading->models[i];
+            const StoredReadingModel &n = b.reading->models[i];
+            if (m.degree != n.degree || !samePoints({m.origin}, {n.origin}) ||
+                !sameNumbers(m.coefficients, n.coefficients) || m.unknown != n.unknown)
+                return "reading model " + std::to_string(i);
         }
     }
     return a.strokeUnknown == b.strokeUnknown && a.unknown == b.unknown ? "" : "unknown members";
