@@ -1,6 +1,7 @@
 #include "sketchsurfacer/document/project_conversion.h"
 
 #include "sketchsurfacer/document/stored_decisions.h"
+#include "sketchsurfacer/document/stored_reading.h"
 
 #include <algorithm>
 
@@ -42,6 +43,22 @@ StoredSurface storedSurface(const SurfaceResult &surface)
     return stored;
 }
 
+// Of the surface there is, as strokes may have been worked into it since the reading was chosen.
+void putReading(const SketchContent &content, const SurfacingState *state,
+                std::optional<StoredReading> &stored)
+{
+    if (!content.reading) {
+        stored.reset();
+        return;
+    }
+    if (!state || !state->hasLabels())
+        state = content.reading->labelled.get();
+    const UnknownMembers unknown = stored ? stored->unknown : UnknownMembers();
+    stored = state ? storedReading(*state) : *content.reading->stored;
+    if (state)
+        stored->unknown = unknown;
+}
+
 } // namespace
 
 Result<StoredSketch> sketchFromProject(const Project &project)
@@ -59,6 +76,12 @@ Result<StoredSketch> sketchFromProject(const Project &project)
         sketch.content.options = defaultSurfaceOptions();
         if (Result<void> read = readDecisions(stored.settings, sketch.content); !read)
             return read.error();
+        if (stored.reading) {
+            ChosenReading reading;
+            reading.strokes = sketch.content.strokes;
+            reading.stored = std::make_shared<const StoredReading>(*stored.reading);
+            sketch.content.reading = std::make_shared<const ChosenReading>(std::move(reading));
+        }
         if (stored.proxy)
             sketch.content.givenProxy = std::make_shared<const TriangleMesh>(stored.proxy->mesh);
         if (stored.surface)
@@ -89,6 +112,7 @@ void putSketch(const SketchContent &content, const SurfacingState *state, const 
         stored.surface = storedSurface(*state->surface);
     else
         stored.surface.reset();
+    putReading(content, state, stored.reading);
     std::erase_if(stored.strokeUnknown, [&](const auto &entry) {
         return std::none_of(stored.strokes.strokes.begin(), stored.strokes.strokes.end(),
                             [&](const Stroke &s) { return s.id == entry.first; });

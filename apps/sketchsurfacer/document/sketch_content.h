@@ -10,12 +10,15 @@
 
 namespace ductus {
 
+struct StoredReading; // project/sketch_surface_document.h
+
 /// What the user took a sketch for where it leaves more than one surface open
 /// (surfacing/pipeline/ambiguity.h).
 struct ChosenReading
 {
-    std::shared_ptr<const SurfacingState> labelled; // to be extracted
+    std::shared_ptr<const SurfacingState> labelled; // to be extracted; null: of a file, see stored
     std::shared_ptr<const StrokeSet> strokes;       // it is a reading of
+    std::shared_ptr<const StoredReading> stored;    // as the file has it; null: chosen in this session
 };
 
 struct SketchContent

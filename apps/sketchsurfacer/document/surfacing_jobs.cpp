@@ -1,6 +1,7 @@
 #include "sketchsurfacer/document/surfacing_jobs.h"
 
 #include "sketchsurfacer/document/background_work.h"
+#include "sketchsurfacer/document/stored_reading.h"
 
 #include <QPointer>
 
@@ -49,15 +50,26 @@ void SurfacingJobs::start()
         return;
     SketchContent madeOf;
     StatePointer before = mDocument.startingPoint(&madeOf);
-    bool sameInput = before && hasSameInput(madeOf, content);
-    if (!sameInput && content.reading && content.reading->strokes == content.strokes) {
-        before = content.reading->labelled;
-        sameInput = true;
-    }
+    const bool isOfInput = before && hasSameInput(madeOf, content);
+    // A reading that was chosen goes before what there is of other strokes; one of a file is made again.
+    const bool wantsReading =
+        !isOfInput && content.reading && (!before || content.reading->strokes == content.strokes);
     const QPointer<SurfacingJobs> self(this);
-    auto work = [content, before, sameInput, self,
-                 runner = &mRunner](const JobControl &control) -> Result<StatePointer> {
+    auto work = [content, known = before, isOfInput, wantsReading, self,
+                 runner = &mRunner](const JobControl &whole) -> Result<StatePointer> {
         workInBackground();
+        StatePointer before = known;
+        bool sameInput = isOfInput;
+        JobControl control = whole;
+        if (wantsReading) {
+            Result<StatePointer> reading = labelledReading(content, whole.part(0.0, 0.5));
+            if (!reading)
+                return reading.error();
+            before = *reading;
+            sameInput = content.reading->strokes == content.strokes;
+            if (!content.reading->labelled)
+                control = whole.part(0.5, 1.0);
+        }
         const auto onPreview = [&](const SurfacingState &labelled) {
             auto preview = std::make_shared<const SurfacingState>(labelled);
             // Through the runner, which waits for its jobs: this object may go at any time.
