@@ -75,9 +75,10 @@ public:
             "Exit codes: 0 done, 1 failed with the reason on stderr, 2 wrong usage, 3 cancelled (Ctrl-C)."));
         mParser.addPositionalArgument(QStringLiteral("IN"), QStringLiteral("The sketch, or its parts."),
                                       QStringLiteral("IN..."));
-        mParser.addOptions({mHelp, mOutput, mProxy, mSymmetry, mEpsilon, mSimplicity, mSmoothness, mRuns,
-                            mSeed, mVertices, mTightness, mBoundary, mIgnore, mScribbles, mReport, mPicture,
-                            mAmbiguity, mQuiet});
+        mParser.addOptions({mHelp,       mOutput,     mProxy,   mSymmetry,  mEpsilon,
+                            mSimplicity, mSmoothness, mRuns,    mSeed,      mVertices,
+                            mTightness,  mBoundary,   mIgnore,  mSkeletal,  mTubeRadius,
+                            mScribbles,  mReport,     mPicture, mAmbiguity, mQuiet});
     }
 
     ParsedSurfaceArguments parse(const QStringList &arguments)
@@ -131,7 +132,8 @@ public:
             a.given.symmetry = {SymmetryMode::Given, *plane};
         }
         for (const auto &[option, ids] :
-             {std::pair(&mBoundary, &a.boundaryStrokes), std::pair(&mIgnore, &a.ignoredStrokes)}) {
+             {std::pair(&mBoundary, &a.boundaryStrokes), std::pair(&mIgnore, &a.ignoredStrokes),
+              std::pair(&mSkeletal, &a.skeletalStrokes)}) {
             if (!mParser.isSet(*option))
                 continue;
             const std::optional<std::vector<int>> list = strokeList(mParser.value(*option));
@@ -146,6 +148,7 @@ public:
         number(mSimplicity, 0.0, 1e6, a.given.simplicity, problem);
         number(mSmoothness, 0.0, 1e6, a.given.smoothness, problem);
         number(mTightness, 0.0, 1.0, a.given.tightness, problem);
+        number(mTubeRadius, 1e-5, 0.5, a.given.tubeRadius, problem);
         wholeNumber(mRuns, 1, 1000, runs, problem);
         wholeNumber(mSeed, 0, 9007199254740992, seed, problem);
         wholeNumber(mVertices, 200, 500000, vertices, problem);
@@ -243,6 +246,14 @@ private:
                                           "in the file: 0,4,7-9.",
                                           "IDS");
     QCommandLineOption mIgnore = option("ignore", "Strokes to leave out, counted from 0.", "IDS");
+    QCommandLineOption mSkeletal = option("skeletal",
+                                          "Strokes that stand for a thin tube, a cable or a stem, counted "
+                                          "from 0. Each becomes a closed tube beside the surface.",
+                                          "IDS");
+    QCommandLineOption mTubeRadius = option("tube-radius",
+                                            "Radius of such tubes, share of the sketch's box diagonal; where "
+                                            "the file has pressure, at half of it.",
+                                            "R", "0.005");
     QCommandLineOption mScribbles = option("scribbles",
                                            "Corrections to the regions as a designer would draw them, JSON; "
                                            "the manual describes it.",
@@ -272,6 +283,7 @@ void GivenOptions::applyTo(SurfaceOptions &options) const
     set(simplicity, options.segmentation.simplicity);
     set(smoothness, options.segmentation.smoothness);
     set(tightness, options.proxy.wrap.tightness);
+    set(tubeRadius, options.skeletal.radius);
     set(runs, options.segmentation.runs);
     set(proxyVertices, options.proxy.targetVertices);
     set(seed, options.segmentation.seed);

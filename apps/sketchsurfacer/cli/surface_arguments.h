@@ -15,7 +15,7 @@ namespace ductus {
 struct GivenOptions
 {
     std::optional<std::pair<SymmetryMode, SymmetryPlane>> symmetry;
-    std::optional<double> epsilon, simplicity, smoothness, tightness;
+    std::optional<double> epsilon, simplicity, smoothness, tightness, tubeRadius;
     std::optional<int> runs, proxyVertices;
     std::optional<std::uint64_t> seed;
 
@@ -26,12 +26,12 @@ struct SurfaceArguments
 {
     std::vector<std::filesystem::path> inputs; // at least one
     std::filesystem::path output;
-    std::filesystem::path proxy;                      // empty: made automatically
-    std::filesystem::path scribbles;                  // empty: none
-    std::filesystem::path report;                     // empty: none
-    std::filesystem::path picture;                    // empty: none
-    std::filesystem::path ambiguity;                  // .png or .json; empty: none
-    std::vector<int> boundaryStrokes, ignoredStrokes; // 0-based, in file order
+    std::filesystem::path proxy;                                       // empty: made automatically
+    std::filesystem::path scribbles;                                   // empty: none
+    std::filesystem::path report;                                      // empty: none
+    std::filesystem::path picture;                                     // empty: none
+    std::filesystem::path ambiguity;                                   // .png or .json; empty: none
+    std::vector<int> boundaryStrokes, ignoredStrokes, skeletalStrokes; // 0-based, in file order
     bool quiet = false;
     SurfaceOptions options; // with the defaults where nothing was given
     GivenOptions given;     // to be laid over those stored in a project

@@ -41,7 +41,9 @@ void SurfaceArgumentsTest::defaultsAreThoseOfTheEngine()
     QCOMPARE(int(given.symmetry), int(SymmetryMode::None));
     QVERIFY(parsed.arguments->report.empty() && parsed.arguments->picture.empty() &&
             parsed.arguments->proxy.empty());
-    QVERIFY(parsed.arguments->boundaryStrokes.empty() && parsed.arguments->ignoredStrokes.empty());
+    QVERIFY(parsed.arguments->boundaryStrokes.empty() && parsed.arguments->ignoredStrokes.empty() &&
+            parsed.arguments->skeletalStrokes.empty());
+    QCOMPARE(given.skeletal.radius, plain.skeletal.radius);
     QVERIFY(!parsed.arguments->quiet);
 }
 
@@ -51,12 +53,14 @@ void SurfaceArgumentsTest::everyOptionArrives()
         "in.curves more.obj -o out.PLY --scribbles s.json --proxy m.stl --symmetry auto --epsilon 0.02 "
         "--simplicity 0.5 --smoothness 3 "
         "--runs 10 --seed 9007199254740991 --proxy-vertices 5000 --tightness 0.25 --boundary 3 --ignore "
-        "5,7-9 "
+        "5,7-9 --skeletal 2,4-5 --tube-radius 0.02 "
         "--report r.json --picture p.PNG --ambiguity a.json -q");
     QVERIFY2(parsed.arguments, qPrintable(parsed.message));
     const SurfaceArguments &a = *parsed.arguments;
     QCOMPARE(a.inputs, (std::vector<std::filesystem::path>{"in.curves", "more.obj"}));
     QCOMPARE(a.scribbles, std::filesystem::path("s.json"));
+    QCOMPARE(a.skeletalStrokes, (std::vector<int>{2, 4, 5}));
+    QCOMPARE(a.options.skeletal.radius, 0.02);
     QCOMPARE(a.output, std::filesystem::path("out.PLY"));
     QCOMPARE(a.proxy, std::filesystem::path("m.stl"));
     QCOMPARE(a.report, std::filesystem::path("r.json"));

@@ -221,7 +221,8 @@ ExitCode run(SurfaceArguments &a, TerminalJob &job)
         std::fprintf(stderr, "sketchsurfacer: %s\n", warning.c_str());
     for (Result<void> chosen :
          {setRoles(sketch->strokes, a.boundaryStrokes, StrokeRole::Boundary, "--boundary"),
-          setRoles(sketch->strokes, a.ignoredStrokes, StrokeRole::Ignored, "--ignore")})
+          setRoles(sketch->strokes, a.ignoredStrokes, StrokeRole::Ignored, "--ignore"),
+          setRoles(sketch->strokes, a.skeletalStrokes, StrokeRole::Skeletal, "--skeletal")})
         if (!chosen)
             return fail(job, chosen.error());
     const std::string place = a.inputs.size() == 1 ? a.inputs.front().string() : nameOf(a);

@@ -60,8 +60,12 @@ nlohmann::ordered_json surfaceReport(const std::string &input, int scribbles, co
         {"manifold", manifold.isManifold()},         {"watertight", manifold.isClosed()},
         {"area", rounded(surfaceArea(result.mesh))}, {"featureLines", result.featureLines.size()}};
     Json regions = Json::array();
-    for (const SurfaceRegion &region : result.regions)
-        regions.push_back({{"degree", region.degree}, {"area", rounded(region.area)}});
+    for (const SurfaceRegion &region : result.regions) {
+        Json entry = {{"degree", region.degree}, {"area", rounded(region.area)}};
+        if (region.tubeOf)
+            entry["tubeOfStroke"] = region.tubeOf->value;
+        regions.push_back(std::move(entry));
+    }
     report["regions"] = regions;
 
     const Segmentation &s = result.segmentation;

@@ -37,7 +37,9 @@ SurfacingStage restartFrom(const SurfaceOptions &a, const SurfaceOptions &b)
         return SurfacingStage::Association;
     if (!sameOptions(a.segmentation, b.segmentation))
         return SurfacingStage::Segmentation;
-    return sameOptions(a.extraction, b.extraction) ? SurfacingStage::Nothing : SurfacingStage::Extraction;
+    return sameOptions(a.extraction, b.extraction) && sameOptions(a.skeletal, b.skeletal)
+               ? SurfacingStage::Nothing
+               : SurfacingStage::Extraction;
 }
 
 Result<SurfacingState> resurface(const SurfacingState &before, const SurfacingRequest &request,

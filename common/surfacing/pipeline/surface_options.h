@@ -4,6 +4,7 @@
 #include "surfacing/association/association.h"
 #include "surfacing/extraction/boundary_trim.h"
 #include "surfacing/extraction/mesh_optimization.h"
+#include "surfacing/parts/skeletal_strokes.h"
 #include "surfacing/proxy/proxy.h"
 #include "surfacing/segmentation/segmentation.h"
 #include "surfacing/sketch/symmetry_plane.h"
@@ -23,6 +24,7 @@ struct SurfaceOptions
     BoundaryTrimOptions trim;
     SegmentationOptions segmentation;
     MeshOptimizationOptions extraction;
+    SkeletalOptions skeletal;
 };
 
 } // namespace ductus

@@ -73,6 +73,7 @@ private slots:
     void mirroredHalfIsExactlySymmetric();
     void symmetryIsFoundOrItsLackTold();
     void ignoredStrokesAreLeftOut();
+    void skeletalStrokesBecomeTubes();
     void givenProxyIsUsed();
     void sameSketchSameBytes();
     void tooLittleDataIsRefused();
@@ -228,7 +229,7 @@ void SurfacePipelineTest::ignoredStrokesAreLeftOut()
 {
     StrokeSet sketch = sketchedBox();
     const std::size_t drawn = sketch.strokes.size();
-    for (StrokeRole role : {StrokeRole::Ignored, StrokeRole::Inner, StrokeRole::Skeletal}) {
+    for (StrokeRole role : {StrokeRole::Ignored, StrokeRole::Inner}) {
         Stroke stroke = straightStroke({-0.2, -0.1, 0.0}, {0.3, 0.2, 0.9}, 0.03);
         stroke.id.value = int(sketch.strokes.size());
         stroke.role = role;
@@ -236,9 +237,31 @@ void SurfacePipelineTest::ignoredStrokesAreLeftOut()
     }
     const SurfaceResult r = surfaced(sketch, smallOptions());
     QVERIFY(r.mesh.vertices == boxSurface().mesh.vertices);
-    QCOMPARE(r.strokeDeviation.size(), drawn + 3);
+    QCOMPARE(r.strokeDeviation.size(), drawn + 2);
     for (std::size_t s = 0; s < r.strokeDeviation.size(); ++s)
         QCOMPARE(r.strokeDeviation[s] >= 0.0, s < drawn);
+}
+
+void SurfacePipelineTest::skeletalStrokesBecomeTubes()
+{
+    StrokeSet sketch = sketchedBox();
+    Stroke cable = straightStroke({0.5, 0.0, 0.0}, {2.5, 0.4, 0.0}, 0.03); // far out of the box
+    cable.id.value = int(sketch.strokes.size());
+    cable.role = StrokeRole::Skeletal;
+    sketch.strokes.push_back(cable);
+    const SurfaceResult r = surfaced(sketch, smallOptions());
+    const SurfaceResult &plain = boxSurface();
+    // The surface is the same to the bit, the tube a closed shell after it.
+    QVERIFY(std::equal(plain.mesh.vertices.begin(), plain.mesh.vertices.end(), r.mesh.vertices.begin()));
+    QCOMPARE(r.regions.size(), plain.regions.size() + 1);
+    QVERIFY(r.regions.back().tubeOf && *r.regions.back().tubeOf == cable.id);
+    QVERIFY(r.regions.back().area > 0.0);
+    QCOMPARE(r.triangleRegions.size(), r.mesh.triangles.size());
+    const ManifoldReport report = manifoldReport(r.mesh);
+    QVERIFY(report.isClosed());
+    QCOMPARE(report.components, 2);
+    QVERIFY(boundingBox(r.mesh.vertices).max.x() > 2.5);
+    QCOMPARE(r.strokeDeviation.back(), -1.0);
 }
 
 void SurfacePipelineTest::givenProxyIsUsed()

@@ -1,6 +1,7 @@
 // What the whole chain gives: the surface, its regions and creases, and how well it follows the strokes.
 #pragma once
 
+#include "strokes/stroke.h"
 #include "surfacing/proxy/proxy.h"
 #include "surfacing/segmentation/segmentation.h"
 #include "surfacing/sketch/symmetry_plane.h"
@@ -27,13 +28,14 @@ struct StrokeDeviationStatistics // stroke samples to the surface, share of the 
 
 struct SurfaceRegion
 {
-    int degree = 0;
-    double area = 0.0; // input units squared
+    int degree = 0;                 // of its surface model; 0 for a tube
+    double area = 0.0;              // input units squared
+    std::optional<StrokeId> tubeOf; // the skeletal stroke it is a tube around
 };
 
 struct SurfaceResult
 {
-    TriangleMesh mesh;                          // input coordinates, manifold, consistently oriented
+    TriangleMesh mesh; // input coordinates, manifold, consistently oriented; tubes are shells beside it
     std::vector<int> triangleRegions;           // index into regions, one a triangle
     std::vector<SurfaceRegion> regions;         // one a surface model and side of the symmetry plane
     std::vector<std::vector<int>> featureLines; // creases: polylines of vertex indices

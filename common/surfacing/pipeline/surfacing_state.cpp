@@ -5,6 +5,7 @@
 #include "surfacing/pipeline/option_equality.h"
 #include "surfacing/pipeline/preparation.h"
 #include "surfacing/pipeline/stopwatch.h"
+#include "surfacing/pipeline/tubes.h"
 #include "surfacing/refinement/refinement.h"
 
 namespace ductus {
@@ -50,6 +51,7 @@ LabelPreview previewOf(const SurfacingState &state)
     for (std::size_t t = 0; t < preview.mesh.triangles.size(); ++t)
         preview.regions[std::size_t(preview.triangleRegions[t])].area +=
             0.5 * preview.mesh.areaVector(int(t)).norm();
+    appendTubes(sketch, state.options.skeletal, preview);
     return preview;
 }
 
@@ -110,6 +112,7 @@ Result<SurfacingState> extractSurface(const SurfacingState &labelled, const Surf
     Stopwatch watch;
     SurfacingState state = labelled;
     state.options.extraction = options.extraction;
+    state.options.skeletal = options.skeletal;
     const PreparedSketch &sketch = *state.sketch;
     const SeamedMesh &seamed = *state.seamed;
     const std::vector<char> inPlane = planeVertices(seamed.mesh, sketch.plane);
@@ -131,6 +134,7 @@ Result<SurfacingState> extractSurface(const SurfacingState &labelled, const Surf
     result->proxy = state.proxy->proxy;
     finishSurface(sketch.input, sketch.frame, seamed, *state.optimized, sketch.plane, inPlane,
                   *state.association, sketch.strokes, *result);
+    appendTubes(sketch, options.skeletal, *result);
     state.surface = std::move(result);
     return state;
 }

@@ -90,7 +90,8 @@ Result<SurfacingState> prepareSurfacing(const StrokeSet &strokes,
 Result<SurfacingState> solveLabels(const SurfacingState &prepared, const std::vector<Scribble> &scribbles,
                                    const SurfaceOptions &options, const JobControl &control);
 
-/// The final mesh of a state with labels. Takes options.extraction.
+/// The final mesh of a state with labels, and the tubes of skeletal strokes. Takes options.extraction and
+/// options.skeletal.
 Result<SurfacingState> extractSurface(const SurfacingState &labelled, const SurfaceOptions &options,
                                       const JobControl &control);
 
