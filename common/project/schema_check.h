@@ -12,7 +12,7 @@
 namespace ductus {
 
 /// The text of resources/schemas/<name>.schema.json, built in; empty for unknown names.
-/// Names: "project", "sketch_surface", "painting".
+/// Names: "project", "sketch_surface", "painting", "doodle".
 std::string_view schemaText(std::string_view name);
 
 /// What contradicts the schema in \a jsonText, one line each ("/strokes/3: ..."); empty if all is well.

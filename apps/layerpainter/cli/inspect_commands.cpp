@@ -2,7 +2,7 @@
 
 #include "document/document_files.h"
 #include "formats/atomic_file.h"
-#include "layerpainter/cli/batch_command.h"
+#include "cli/batch_command.h"
 #include "layerpainter/cli/painting_report.h"
 #include "painting/storage/painting_content.h"
 #include "project/project_reader.h"

@@ -2,7 +2,7 @@
 
 #include "cli/output_files.h"
 #include "formats/png_file.h"
-#include "layerpainter/cli/batch_command.h"
+#include "cli/batch_command.h"
 #include "layerpainter/cli/open_painting.h"
 #include "layerpainter/document/default_view.h"
 #include "painting/reference/reference_frame.h"

@@ -52,8 +52,8 @@ private slots:
     void aShiftIsFound()
     {
         const FlowPair flow = denseFlow(scene(0, 0), scene(3.5, -2.0));
-        QCOMPARE(flow.forward.width, 120);
-        QCOMPARE(flow.forward.height, 80);
+        QCOMPARE(flow.forward.width, 60);
+        QCOMPARE(flow.forward.height, 40);
         for (double y = 20; y < 140; y += 7.3)
             for (double x = 20; x < 220; x += 7.7) {
                 QVERIFY((flow.forward.motionAt({x, y}) - Eigen::Vector2d(3.5, -2.0)).norm() < 0.3);

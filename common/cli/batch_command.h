@@ -1,4 +1,5 @@
-// What LayerPainter's batch commands share: words on stderr, exit codes, one parser a command.
+// What batch commands share: words on stderr, exit codes, one parser a command. The application's name stands
+// before all words.
 #pragma once
 
 #include "cli/exit_code.h"
@@ -14,7 +15,7 @@ namespace ductus {
 /// Tells \a error on stderr.
 ExitCode failed(TerminalJob &job, const Error &error);
 
-/// A parser with --help and --quiet for `layerpainter COMMAND`.
+/// A parser with --help and --quiet for `APP COMMAND`.
 class BatchParser
 {
 public:

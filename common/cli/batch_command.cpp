@@ -1,5 +1,6 @@
-#include "layerpainter/cli/batch_command.h"
+#include "cli/batch_command.h"
 
+#include <QCoreApplication>
 #include <cstdio>
 
 namespace ductus {
@@ -7,7 +8,8 @@ namespace ductus {
 ExitCode failed(TerminalJob &job, const Error &error)
 {
     job.finishLine();
-    std::fprintf(stderr, "layerpainter: %s\n", error.message().c_str());
+    std::fprintf(stderr, "%s: %s\n", qPrintable(QCoreApplication::applicationName()),
+                 error.message().c_str());
     return exitCodeFor(error);
 }
 
@@ -36,7 +38,8 @@ void BatchParser::addOption(const QCommandLineOption &option)
 std::optional<ExitCode> BatchParser::parse(const QStringList &arguments, int leastPositional,
                                            int mostPositional)
 {
-    if (!mParser.parse(QStringList(QStringLiteral("layerpainter ") + mCommand) + arguments))
+    if (!mParser.parse(QStringList(QCoreApplication::applicationName() + QLatin1Char(' ') + mCommand) +
+                       arguments))
         return wrongUsage(mParser.errorText());
     if (mParser.isSet(mHelp)) {
         std::fputs(qPrintable(mParser.helpText()), stdout);
@@ -51,10 +54,9 @@ std::optional<ExitCode> BatchParser::parse(const QStringList &arguments, int lea
 
 ExitCode BatchParser::wrongUsage(const QString &problem) const
 {
-    std::fputs(
-        qPrintable(
-            QStringLiteral("layerpainter %1: %2. See: layerpainter %1 --help\n").arg(mCommand, problem)),
-        stderr);
+    std::fputs(qPrintable(QStringLiteral("%1 %2: %3. See: %1 %2 --help\n")
+                              .arg(QCoreApplication::applicationName(), mCommand, problem)),
+               stderr);
     return ExitCode::WrongUsage;
 }
 
