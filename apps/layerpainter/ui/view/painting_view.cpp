@@ -2,9 +2,10 @@
 
 #include "layerpainter/document/default_view.h"
 
-#include <QElapsedTimer>
 #include <QMouseEvent>
 #include <QOpenGLContext>
+#include <QOpenGLExtraFunctions>
+#include <QOpenGLFramebufferObject>
 #include <QPainter>
 #include <QSurfaceFormat>
 #include <QTabletEvent>
@@ -47,11 +48,22 @@ PaintingView::PaintingView(PaintingDocument &document, QWidget *parent)
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(tr("Canvas"));
+    mClock.start();
+    mStill.setSingleShot(true);
+    mStill.setInterval(FramePace::stillMilliseconds);
+    connect(&mStill, &QTimer::timeout, this, [this] {
+        mPace.stop();
+        update();
+    });
     connect(&mDocument, &Document::changed, this, [this](const ChangeEvent &event) {
         mPreview = nullptr;
         if (event.as<DocumentReset>()) {
             setSelection({});
             frameAll();
+        } else {
+            mPace.edit(double(mClock.elapsed()));
+            if (mPace.isMoving())
+                mStill.start();
         }
         changedView();
     });
@@ -93,7 +105,7 @@ bool PaintingView::cancelTool()
 void PaintingView::setPreview(std::shared_ptr<const Painting> preview)
 {
     mPreview = std::move(preview);
-    changedView();
+    movedView();
 }
 
 void PaintingView::setSelection(std::vector<ElementId> selection)
@@ -117,6 +129,13 @@ void PaintingView::changedView()
     mOverlay->update();
 }
 
+void PaintingView::movedView()
+{
+    mPace.move();
+    mStill.start();
+    changedView();
+}
+
 void PaintingView::initializeGL()
 {
     connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &PaintingView::releaseGraphics,
@@ -134,7 +153,31 @@ void PaintingView::releaseGraphics()
         return;
     makeCurrent();
     mRenderer.reset();
+    mCoarse.reset();
+    mPixel.reset();
     doneCurrent();
+}
+
+// Frames of a movement are drawn small and enlarged.
+Result<void> PaintingView::drawFrame(int width, int height, int divisor)
+{
+    const GLuint window = defaultFramebufferObject();
+    if (divisor == 1) {
+        const RenderView view{mCamera.frame(), window, 0, 0, width, height};
+        return mRenderer->render({&view, 1});
+    }
+    const QSize size(std::max(1, width / divisor), std::max(1, height / divisor));
+    if (!mCoarse || mCoarse->size() != size)
+        mCoarse = std::make_unique<QOpenGLFramebufferObject>(size);
+    const RenderView view{mCamera.frame(), mCoarse->handle(), 0, 0, size.width(), size.height()};
+    const Result<void> drawn = mRenderer->render({&view, 1});
+    QOpenGLExtraFunctions *gl = context()->extraFunctions();
+    gl->glBindFramebuffer(GL_READ_FRAMEBUFFER, mCoarse->handle());
+    gl->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, window);
+    gl->glBlitFramebuffer(0, 0, size.width(), size.height(), 0, 0, width, height, GL_COLOR_BUFFER_BIT,
+                          GL_LINEAR);
+    gl->glBindFramebuffer(GL_FRAMEBUFFER, window);
+    return drawn;
 }
 
 void PaintingView::paintGL()
@@ -146,13 +189,14 @@ void PaintingView::paintGL()
     const int w = qRound(width() * devicePixelRatioF()), h = qRound(height() * devicePixelRatioF());
     const Painting &painting = mPreview ? *mPreview : mDocument.painting();
     Result<void> drawn = mRenderer->update(painting, {});
-    if (drawn) {
-        const RenderView view{mCamera.frame(), defaultFramebufferObject(), 0, 0, w, h};
-        drawn = mRenderer->render({&view, 1});
-    }
+    mDrawnDivisor = mPace.divisor();
+    if (drawn)
+        drawn = drawFrame(w, h, mDrawnDivisor);
     if (!drawn)
         emit graphicsFailed(drawn.error());
+    context()->functions()->glFinish(); // drivers draw later; the pace needs what the frame really took
     mLastFrameMilliseconds = double(clock.nsecsElapsed()) * 1e-6;
+    mPace.drawn(mLastFrameMilliseconds);
     ++mFrameCount;
 }
 
@@ -169,7 +213,25 @@ std::optional<PickedPoint> PaintingView::pick(const QPointF &position)
         return std::nullopt;
     makeCurrent();
     const double ratio = devicePixelRatioF();
-    const auto picked = mRenderer->pick(0, int(position.x() * ratio), int(position.y() * ratio));
+    int x = int(position.x() * ratio), y = int(position.y() * ratio);
+    if (mDrawnDivisor > 1) { // the one pixel that is asked for, as the sharp frame would have it
+        const double w = width() * ratio, h = height() * ratio;
+        const FrameCamera whole = mCamera.frame();
+        FrameCamera part = whole;
+        part.left = whole.left + x / w * (whole.right - whole.left);
+        part.right = whole.left + (x + 1) / w * (whole.right - whole.left);
+        part.up = whole.up + y / h * (whole.down - whole.up);
+        part.down = whole.up + (y + 1) / h * (whole.down - whole.up);
+        if (!mPixel)
+            mPixel = std::make_unique<QOpenGLFramebufferObject>(1, 1);
+        const RenderView view{part, mPixel->handle(), 0, 0, 1, 1};
+        if (!mRenderer->render({&view, 1})) {
+            doneCurrent();
+            return std::nullopt;
+        }
+        x = y = 0;
+    }
+    const auto picked = mRenderer->pick(0, x, y);
     doneCurrent();
     return picked ? *picked : std::nullopt;
 }
@@ -208,6 +270,7 @@ std::optional<ElementId> PaintingView::strokeNear(const QPointF &position, Layer
 
 QImage PaintingView::picture()
 {
+    mPace.stop();
     return mFrameCount > 0 && !mDocument.isEmpty() ? grabFramebuffer() : QImage();
 }
 
@@ -275,11 +338,12 @@ void PaintingView::mouseMoveEvent(QMouseEvent *event)
     else if (mDrag == Drag::Pan)
         mCamera.pan(by);
     if (mDrag == Drag::Orbit || mDrag == Drag::Pan)
-        update();
+        movedView();
     else if (mTool)
         mTool->move(*this, {event->position(), 1, event->modifiers()});
     mOverlay->update();
-    emit pointerMoved(event->position());
+    if (mDrag == Drag::None)
+        emit pointerMoved(event->position());
 }
 
 void PaintingView::mouseReleaseEvent(QMouseEvent *event)
@@ -317,7 +381,7 @@ void PaintingView::tabletEvent(QTabletEvent *event)
 void PaintingView::wheelEvent(QWheelEvent *event)
 {
     mCamera.zoom(std::pow(0.9988, event->angleDelta().y()), event->position());
-    changedView();
+    movedView();
 }
 
 void PaintingView::leaveEvent(QEvent *)

@@ -4,11 +4,16 @@
 
 #include "layerpainter/document/painting_document.h"
 #include "layerpainter/ui/view/canvas_tool.h"
+#include "layerpainter/ui/view/frame_pace.h"
 #include "layerpainter/ui/view/paint_camera.h"
 #include "render/painting_renderer.h"
 
+#include <QElapsedTimer>
 #include <QOpenGLWidget>
+#include <QTimer>
 #include <functional>
+
+class QOpenGLFramebufferObject;
 
 namespace ductus {
 
@@ -34,7 +39,8 @@ public:
     const std::vector<ElementId> &selection() const { return mSelection; }
     void setHoveredLayer(std::optional<LayerId> layer);
 
-    /// What is seen there; nothing on the background.
+    /// What is seen there, exact to the pixel of the window however coarse it is drawn; nothing on the
+    /// background.
     std::optional<PickedPoint> pick(const QPointF &position);
     /// The stroke of \a layer whose centreline passes nearest within \a reach pixels.
     std::optional<ElementId> strokeNear(const QPointF &position, LayerId layer, double reach);
@@ -43,6 +49,8 @@ public:
     QImage picture();
     int frameCount() const { return mFrameCount; }
     double lastFrameMilliseconds() const { return mLastFrameMilliseconds; }
+    /// Window pixels along each side of a pixel of the last frame: 1 unless something moves.
+    int lastFrameDivisor() const { return mDrawnDivisor; }
     /// The pen's pressure goes through this first.
     void setPressureCurve(std::function<double(double)> curve) { mPressure = std::move(curve); }
 
@@ -71,6 +79,8 @@ private:
     void drawOverlay(QPainter &painter);
     void traceElement(QPainter &painter, const Element &element) const;
     void changedView();
+    void movedView();
+    Result<void> drawFrame(int width, int height, int divisor);
 
     PaintingDocument &mDocument;
     std::optional<PaintingRenderer> mRenderer;
@@ -85,6 +95,12 @@ private:
     QPointF mLast;
     int mFrameCount = 0;
     double mLastFrameMilliseconds = 0;
+    FramePace mPace;
+    QElapsedTimer mClock;
+    QTimer mStill; // runs while something moves
+    int mDrawnDivisor = 1;
+    std::unique_ptr<QOpenGLFramebufferObject> mCoarse; // frames while something moves
+    std::unique_ptr<QOpenGLFramebufferObject> mPixel;  // pick() while something moves
 };
 
 } // namespace ductus

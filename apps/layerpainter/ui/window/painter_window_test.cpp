@@ -7,6 +7,7 @@
 #include <QTemporaryDir>
 #include <QToolButton>
 #include <QtTest>
+#include <ctime>
 
 using namespace ductus;
 
@@ -77,6 +78,7 @@ class PainterWindowTest : public QObject
 private slots:
     void initTestCase();
     void theStartPageLeadsIntoASample();
+    void staysFluidWhileTheViewTurns();
     void paintsIntoALayerAndUndoRestoresExactly();
     void hidesALayerByItsEye();
     void switchesLooksByAClick();
@@ -106,6 +108,63 @@ void PainterWindowTest::theStartPageLeadsIntoASample()
     QVERIFY2(mApp->window->messages()->messages().isEmpty(), "graphics failed");
     qInfo("a frame takes %.0f ms", mApp->window->view().lastFrameMilliseconds());
     mApp->shot("02-desk");
+}
+
+void PainterWindowTest::staysFluidWhileTheViewTurns()
+{
+    PaintingView &view = mApp->window->view();
+    const QPoint middle = view.rect().center();
+    QVERIFY(QTest::qWaitFor([&] { return view.lastFrameDivisor() == 1; }, 5000));
+    (void)view.picture(); // once more, nothing to send: what a sharp frame costs
+    const double sharp = view.lastFrameMilliseconds();
+    std::vector<QPoint> way;
+    for (int i = 0; i <= 40; ++i)
+        way.push_back(middle + QPoint(4 * i, i));
+    const int before = view.frameCount();
+    const std::clock_t processor = std::clock();
+    QElapsedTimer clock;
+    clock.start();
+    QTest::mousePress(&view, Qt::RightButton, {}, way.front());
+    for (const QPoint &p : way) {
+        const int frame = view.frameCount();
+        QMouseEvent move(QEvent::MouseMove, p, view.mapToGlobal(p), Qt::NoButton, Qt::RightButton,
+                         Qt::NoModifier);
+        QApplication::sendEvent(&view, &move);
+        QVERIFY(QTest::qWaitFor([&] { return view.frameCount() > frame; }, 5000));
+    }
+    const int frames = view.frameCount() - before;
+    const double last = view.lastFrameMilliseconds();
+    const double second = 1e-3 * double(clock.elapsed());
+    const double used = double(std::clock() - processor) / CLOCKS_PER_SEC;
+    const int divisor = view.lastFrameDivisor();
+    qInfo("%d x %d: a sharp frame %.0f ms; turning %.1f frames a second, 1/%d as fine, %.0f ms each, %.0f ms "
+          "of processor time",
+          view.width(), view.height(), sharp, frames / second, divisor, last, 1000 * used / frames);
+    mApp->shot("02-turning");
+    // What is met is the same, however coarse: on edges too.
+    const std::vector<QPoint> places{middle, middle + QPoint(-331, -61), middle + QPoint(57, 43),
+                                     middle + QPoint(140, 120), middle + QPoint(-90, 75)};
+    const auto nudge = way.back() + QPoint(1, 0);
+    QMouseEvent move(QEvent::MouseMove, nudge, view.mapToGlobal(nudge), Qt::NoButton, Qt::RightButton,
+                     Qt::NoModifier);
+    QApplication::sendEvent(&view, &move);
+    QVERIFY(QTest::qWaitFor([&] { return view.lastFrameDivisor() > 1 || divisor == 1; }, 5000));
+    std::vector<std::optional<PickedPoint>> coarse;
+    for (const QPoint &at : places)
+        coarse.push_back(view.pick(at));
+    QTest::mouseRelease(&view, Qt::RightButton, {}, nudge);
+    QVERIFY(QTest::qWaitFor([&] { return view.lastFrameDivisor() == 1; }, 5000));
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const auto exact = view.pick(places[i]);
+        QCOMPARE(exact.has_value(), coarse[i].has_value());
+        if (!exact)
+            continue;
+        QCOMPARE(exact->element.value, coarse[i]->element.value);
+        QVERIFY((exact->position - coarse[i]->position).norm() < 1e-3);
+    }
+    if (sharp > 1.5 * FramePace::targetMilliseconds)
+        QVERIFY2(divisor > 1, "slow frames must be drawn coarser while the view turns");
+    mApp->press(Qt::Key_F);
 }
 
 void PainterWindowTest::paintsIntoALayerAndUndoRestoresExactly()
