@@ -5,6 +5,7 @@
 #include "sketchsurfacer/document/project_conversion.h"
 
 #include <algorithm>
+#include <unordered_set>
 
 namespace ductus {
 
@@ -13,10 +14,20 @@ namespace {
 // States share their parts; what is new in each is about 5 MB.
 constexpr std::size_t mostResults = 40;
 
-bool contains(const std::vector<StrokeId> &ids, StrokeId id)
+// Of a cloud of points thousands may be meant at once.
+class IdSet
 {
-    return std::find(ids.begin(), ids.end(), id) != ids.end();
-}
+public:
+    explicit IdSet(const std::vector<StrokeId> &ids)
+    {
+        for (StrokeId id : ids)
+            mIds.insert(id.value);
+    }
+    bool contains(StrokeId id) const { return mIds.count(id.value) > 0; }
+
+private:
+    std::unordered_set<int> mIds;
+};
 
 } // namespace
 
@@ -37,10 +48,11 @@ void SketchDocument::start(StrokeSet strokes, const SurfaceOptions &options, con
 
 void SketchDocument::setRole(const std::vector<StrokeId> &ids, StrokeRole role, quint64 drag)
 {
+    const IdSet meant(ids);
     StrokeSet next = strokes();
     bool differs = false;
     for (Stroke &stroke : next.strokes)
-        if (contains(ids, stroke.id) && stroke.role != role) {
+        if (meant.contains(stroke.id) && stroke.role != role) {
             stroke.role = role;
             differs = true;
         }
@@ -122,10 +134,11 @@ std::vector<StrokeId> SketchDocument::addStrokes(const std::vector<std::vector<V
 
 void SketchDocument::moveStrokes(const std::vector<StrokeId> &ids, const Vec3 &way)
 {
+    const IdSet meant(ids);
     StrokeSet next = strokes();
     int moved = 0;
     for (Stroke &stroke : next.strokes)
-        if (contains(ids, stroke.id)) {
+        if (meant.contains(stroke.id)) {
             for (Vec3 &p : stroke.points)
                 p += way;
             ++moved;
@@ -149,8 +162,9 @@ std::optional<SymmetryPlane> SketchDocument::symmetryPlane() const
 
 void SketchDocument::deleteStrokes(const std::vector<StrokeId> &ids)
 {
+    const IdSet meant(ids);
     StrokeSet next = strokes();
-    const auto removed = std::erase_if(next.strokes, [&](const Stroke &s) { return contains(ids, s.id); });
+    const auto removed = std::erase_if(next.strokes, [&](const Stroke &s) { return meant.contains(s.id); });
     if (removed == 0)
         return;
     SketchContent content = mContent;

@@ -1,6 +1,7 @@
 #include "sketchsurfacer/document/sketch_import.h"
 
 #include "document/document_files.h"
+#include "surfacing/sketch/point_cloud.h"
 
 #include <QFile>
 #include <QFileInfo>
@@ -16,16 +17,18 @@ Result<ImportedSketch> imported(Result<SketchFile> file, const QString &name, co
 {
     if (!file)
         return file.error();
-    if (file->isPointCloud)
-        return Error{ErrorCode::Unsupported, "Reading the sketch",
-                     "its " + std::to_string(file->strokes.strokes.size()) +
-                         " points do not follow one another: a cloud of points and not drawn strokes",
-                     "Give the points of each stroke in drawing order, with a blank line between strokes",
-                     place};
     if (file->strokes.strokes.empty())
         return Error{ErrorCode::TooLittleData, "Reading the sketch", "there is no stroke in it",
                      "Choose a file with 3D strokes", place};
+    if (file->isPointCloud)
+        if (const Result<void> isSurface = checkCloudIsSurface(file->strokes); !isSurface) {
+            Error error = isSurface.error();
+            error.attempted = "Reading the points";
+            error.place = place;
+            return error;
+        }
     ImportedSketch sketch;
+    sketch.isPointCloud = file->isPointCloud;
     sketch.strokes = std::move(file->strokes);
     sketch.name = name;
     for (const std::string &warning : file->warnings)

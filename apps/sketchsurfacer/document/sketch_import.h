@@ -14,8 +14,9 @@ struct ImportedSketch
 {
     StrokeSet strokes;
     SurfaceOptions options = defaultSurfaceOptions();
-    QString name; // for the title
-    QStringList warnings;
+    QString name;         // for the title
+    QStringList warnings; // what was passed over
+    bool isPointCloud = false;
 };
 
 Result<ImportedSketch> importSketch(const QString &path, const JobControl &control);

@@ -69,6 +69,13 @@ vtkSmartPointer<vtkActor> newLineActor(Rgba colour, double pixels)
     return actor;
 }
 
+vtkSmartPointer<vtkActor> newDotActor()
+{
+    vtkSmartPointer<vtkActor> actor = newActor();
+    actor->GetProperty()->LightingOff();
+    return actor;
+}
+
 void setActorMesh(vtkActor *actor, const ShadedMesh &mesh)
 {
     static_assert(sizeof(vtkIdType) == sizeof(std::int64_t));
@@ -98,6 +105,26 @@ void setActorLines(vtkActor *actor, const std::vector<std::vector<Vec3>> &lines)
     }
     data->SetPoints(points);
     data->SetLines(cells);
+    mapperOf(actor)->SetInputData(data);
+}
+
+void setActorDots(vtkActor *actor, const std::vector<Vec3> &dots, const std::vector<Rgba> &colours)
+{
+    vtkNew<vtkPolyData> data;
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkCellArray> cells;
+    vtkNew<vtkUnsignedCharArray> scalars;
+    scalars->SetNumberOfComponents(3);
+    points->SetNumberOfPoints(vtkIdType(dots.size()));
+    cells->InsertNextCell(int(dots.size()));
+    for (std::size_t i = 0; i < dots.size(); ++i) {
+        points->SetPoint(vtkIdType(i), dots[i].data());
+        cells->InsertCellPoint(vtkIdType(i));
+        scalars->InsertNextTuple3(colours[i][0], colours[i][1], colours[i][2]);
+    }
+    data->SetPoints(points);
+    data->SetVerts(cells);
+    data->GetPointData()->SetScalars(scalars);
     mapperOf(actor)->SetInputData(data);
 }
 

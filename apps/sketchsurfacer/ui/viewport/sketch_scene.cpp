@@ -58,6 +58,19 @@ vtkSmartPointer<vtkRenderer> newRenderer()
     return renderer;
 }
 
+vtkSmartPointer<vtkActor> newActorFor(SceneItem item)
+{
+    switch (item) {
+    case SceneItem::Creases:
+        return newLineActor({32, 30, 28, 255}, 1.4);
+    case SceneItem::Dots:
+    case SceneItem::SketchDots:
+        return newDotActor();
+    default:
+        return newMeshActor();
+    }
+}
+
 vtkSmartPointer<vtkTexture> textureOf(const Image &image)
 {
     vtkNew<vtkImageData> data;
@@ -78,9 +91,8 @@ SketchScene::SketchScene() : mMain(newRenderer()), mLeft(newRenderer())
     // VTK's pass for translucent things would lighten it.
     for (int i = sceneItemCount - 1; i >= 0; --i) {
         const SceneItem item = SceneItem(i);
-        mActors[std::size_t(i)] =
-            item == SceneItem::Creases ? newLineActor({32, 30, 28, 255}, 1.4) : newMeshActor();
-        if (item == SceneItem::Sketch)
+        mActors[std::size_t(i)] = newActorFor(item);
+        if (item == SceneItem::Sketch || item == SceneItem::SketchDots)
             mLeft->AddActor(actor(item));
         else
             mMain->AddActor(actor(item));
@@ -111,6 +123,14 @@ void SketchScene::setCreases(const std::vector<std::vector<Vec3>> &lines, double
     setActorLines(actor(SceneItem::Creases), lines);
     actor(SceneItem::Creases)->GetProperty()->SetLineWidth(float(1.4 * pixelRatio));
     mHasContent[std::size_t(SceneItem::Creases)] = !lines.empty();
+}
+
+void SketchScene::setDots(SceneItem item, const std::vector<Vec3> &dots, const std::vector<Rgba> &colours,
+                          double pixels)
+{
+    setActorDots(actor(item), dots, colours);
+    actor(item)->GetProperty()->SetPointSize(float(pixels));
+    mHasContent[std::size_t(item)] = !dots.empty();
 }
 
 void SketchScene::setGround(const GroundShadow &shadow)
@@ -194,6 +214,8 @@ void SketchScene::follow(const ViewCamera &view, std::optional<double> divider)
     const double distance = forwardShare * diagonal;
     const double share = std::clamp(distance / std::max(depth, 1e-9), 0.0, 0.2);
     bringForward(actor(SceneItem::Strokes), eye, view.forward(), view.isPerspective(), share, distance);
+    bringForward(actor(SceneItem::Dots), eye, view.forward(), view.isPerspective(), 0.5 * share,
+                 0.5 * distance);
     bringForward(actor(SceneItem::Scribbles), eye, view.forward(), view.isPerspective(), 1.2 * share,
                  1.2 * distance);
     bringForward(actor(SceneItem::Creases), eye, view.forward(), view.isPerspective(), 0.3 * share,

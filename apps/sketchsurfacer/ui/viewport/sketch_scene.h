@@ -18,6 +18,8 @@ namespace ductus {
 enum class SceneItem {
     Strokes,
     Sketch,
+    Dots, // strokes of a single point
+    SketchDots,
     Proxy,
     Regions,
     Surface,
@@ -27,7 +29,7 @@ enum class SceneItem {
     Creases,
     Ground
 };
-inline constexpr int sceneItemCount = 10;
+inline constexpr int sceneItemCount = 12;
 
 class SketchScene
 {
@@ -40,6 +42,9 @@ public:
 
     void setMesh(SceneItem item, const ShadedMesh &mesh);
     void setCreases(const std::vector<std::vector<Vec3>> &lines, double pixelRatio);
+    /// \a item: Dots or SketchDots. \a colours: one a dot.
+    void setDots(SceneItem item, const std::vector<Vec3> &dots, const std::vector<Rgba> &colours,
+                 double pixels);
     void setGround(const GroundShadow &shadow);
     void setVisible(SceneItem item, bool visible);
     bool isVisible(SceneItem item) const;

@@ -12,7 +12,8 @@ constexpr double clickReach = 4.0; // pixels a hand trembles
 constexpr int restMilliseconds =
     180;                            // after the last change the picture is drawn once more, with smooth edges
 constexpr double quickFrame = 14.0; // milliseconds; where smooth edges cost so little they are always drawn
-constexpr double dividerReach = 8.0; // pixels around the divider that grab it
+constexpr double dividerReach = 8.0;   // pixels around the divider that grab it
+constexpr std::size_t manyDots = 8000; // that would run together
 
 double distanceToSegment(const QPointF &p, const QPointF &a, const QPointF &b, double *share)
 {
@@ -96,16 +97,34 @@ void SketchView::buildTubes()
     // Thinner where a surface is what one looks at.
     const bool isAlone = mMode == ViewMode::Sketch || !mScene.has(shownMesh());
     const double radius = strokeRadius();
-    for (const ViewLine &line : mStrokes)
-        appendTube(line.points, radius * line.width * (isAlone ? 1.0 : 0.8),
-                   isAlone || line.coloursOnMesh.empty() ? line.colours : line.coloursOnMesh, 6, tubes);
-    if (mDivider)
-        for (const ViewLine &line : mStrokes)
+    std::vector<Vec3> dots;
+    std::vector<Rgba> dotColours, sketchDotColours;
+    for (const ViewLine &line : mStrokes) {
+        const auto &colours = isAlone || line.coloursOnMesh.empty() ? line.colours : line.coloursOnMesh;
+        if (line.points.size() == 1 && line.points.front().allFinite()) {
+            dots.push_back(line.points.front());
+            dotColours.push_back(colours.front());
+            sketchDotColours.push_back(line.colours.front());
+            continue;
+        }
+        appendTube(line.points, radius * line.width * (isAlone ? 1.0 : 0.8), colours, 6, tubes);
+        if (mDivider)
             appendTube(line.points, radius * line.width, line.colours, 6, sketch);
+    }
     mScene.setMesh(SceneItem::Strokes, tubes);
     mScene.setMesh(SceneItem::Sketch, sketch);
-    mScene.setVisible(SceneItem::Strokes, mStrokesShown || mMode == ViewMode::Sketch);
-    mScene.setVisible(SceneItem::Sketch, true);
+    const double pixels = devicePixelRatioF() * (dots.size() > manyDots ? 2.0 : 3.0);
+    mScene.setDots(SceneItem::Dots, dots, dotColours, pixels);
+    mScene.setDots(SceneItem::SketchDots, mDivider ? dots : std::vector<Vec3>(), sketchDotColours, pixels);
+    showStrokeItems();
+}
+
+void SketchView::showStrokeItems()
+{
+    for (const SceneItem item : {SceneItem::Strokes, SceneItem::Dots})
+        mScene.setVisible(item, mStrokesShown || mMode == ViewMode::Sketch);
+    for (const SceneItem item : {SceneItem::Sketch, SceneItem::SketchDots})
+        mScene.setVisible(item, true);
 }
 
 void SketchView::setStrokes(const std::vector<ViewLine> &lines)
@@ -204,8 +223,7 @@ void SketchView::showItems()
     const bool hasSurface =
         mMode == ViewMode::Surface || mMode == ViewMode::Deviation || mMode == ViewMode::Regions;
     mScene.setVisible(SceneItem::Creases, hasSurface && mScene.has(mesh) && mesh != SceneItem::Regions);
-    mScene.setVisible(SceneItem::Strokes, mStrokesShown || mMode == ViewMode::Sketch);
-    mScene.setVisible(SceneItem::Sketch, true);
+    showStrokeItems();
     mScene.setVisible(SceneItem::Scribbles, hasSurface && (mScribblesShown || mMode == ViewMode::Regions));
     mScene.setVisible(SceneItem::Ground, true);
     moved();
@@ -293,6 +311,18 @@ int SketchView::strokeAt(const QPointF &position, double reach) const
 {
     int best = -1;
     double nearest = reach;
+    const auto consider = [&](std::size_t line, const Vec3 &at, double pixels) {
+        if (pixels >= nearest)
+            return;
+        const ViewRay ray = mCamera.ray(*mCamera.project(at));
+        const ViewMesh &mesh = pickMesh();
+        const double depth = (at - ray.origin).norm();
+        const double inSurface = mExtent.diagonal() / 100;
+        if (mesh.tree && mesh.tree->isBlocked(ray.origin, ray.direction, 0.0, depth - inSurface))
+            return;
+        nearest = pixels;
+        best = int(line);
+    };
     for (std::size_t i = 0; i < mStrokes.size(); ++i) {
         const std::vector<Vec3> &points = mStrokes[i].points;
         std::optional<QPointF> before;
@@ -301,18 +331,9 @@ int SketchView::strokeAt(const QPointF &position, double reach) const
             double share = 0.0;
             if (before && here) {
                 const double d = distanceToSegment(position, *before, *here, &share);
-                if (d < nearest) {
-                    const Vec3 at = points[k - 1] + share * (points[k] - points[k - 1]);
-                    const ViewRay ray = mCamera.ray(*mCamera.project(at));
-                    const ViewMesh &mesh = pickMesh();
-                    const double depth = (at - ray.origin).norm();
-                    const double inSurface = mExtent.diagonal() / 100;
-                    if (!mesh.tree ||
-                        !mesh.tree->isBlocked(ray.origin, ray.direction, 0.0, depth - inSurface)) {
-                        nearest = d;
-                        best = int(i);
-                    }
-                }
+                consider(i, points[k - 1] + share * (points[k] - points[k - 1]), d);
+            } else if (here && points.size() == 1) {
+                consider(i, points[k], distanceToSegment(position, *here, *here, &share));
             }
             before = here;
         }

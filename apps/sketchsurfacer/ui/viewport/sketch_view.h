@@ -26,7 +26,7 @@ struct ViewMesh
     ShadedMesh shaded;
 };
 
-/// A stroke as it is to look.
+/// A stroke as it is to look; one of a single point is a dot, whatever its width.
 struct ViewLine
 {
     std::vector<Vec3> points;
@@ -117,6 +117,7 @@ private:
 
     SceneItem shownMesh() const;
     void showItems();
+    void showStrokeItems();
     void moved();
     double strokeRadius() const;
     void rebuildTubes();

@@ -33,7 +33,8 @@ void SurfacerWindow::fillStartPage()
     page->setHeading(tr("SketchSurfacer"),
                      tr("From a 3D sketch to a surface you can print, render or take into CAD."));
     page->setButtons(tr("New sketch"), tr("Open..."));
-    page->setDropSentence(tr("Drop a sketch (.curves, .obj, .txt), a proxy mesh or a project anywhere."));
+    page->setDropSentence(
+        tr("Drop a sketch (.curves, .obj, .txt), points (.xyz), a proxy mesh or a project anywhere."));
     const auto refresh = [this] {
         QList<SampleCard> cards;
         const bool dark = coloursOf(QGuiApplication::palette()).isDark;
@@ -174,6 +175,10 @@ void SurfacerWindow::adoptSketch(ImportedSketch sketch)
     messages()->closeAll();
     mSketch.start(std::move(sketch.strokes), sketch.options, sketch.name);
     showOpened();
+    if (sketch.isPointCloud)
+        messages()->info(tr("These %n points do not follow one another: they are taken as points of the "
+                            "surface, and creases are found by its shape alone.",
+                            nullptr, int(mSketch.strokes().strokes.size())));
     if (!sketch.warnings.isEmpty())
         messages()->warning(tr("Some of the sketch was skipped: %1").arg(sketch.warnings.first()),
                             sketch.warnings.size() > 1
