@@ -1,6 +1,7 @@
 #include "sketchsurfacer/ui/presentation/result_view.h"
 
 #include "geometry/mesh_topology.h"
+#include "sketchsurfacer/ui/presentation/found_borders.h"
 #include "sketchsurfacer/ui/viewport/ambient_light.h"
 
 #include <numeric>
@@ -69,6 +70,7 @@ Result<std::shared_ptr<const ResultView>> makeResultView(std::shared_ptr<const S
     auto view = std::make_shared<ResultView>();
     view->state = state;
     view->isPreview = !state->hasSurface();
+    view->foundBorders = foundBorders(strokes, *state);
     const double diagonal = strokes.box().diagonal();
 
     if (state->proxyInInput) {

@@ -27,6 +27,7 @@ struct ResultView
     std::vector<RegionView> regionViews;
     std::vector<std::vector<Vec3>> creases;
     DeviationMap deviationMap;
+    std::vector<StrokeId> foundBorders; // found_borders.h
     GroundShadow shadow;
     bool isPreview = false;
     bool isClosed = false;

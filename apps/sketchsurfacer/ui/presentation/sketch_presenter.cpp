@@ -3,6 +3,7 @@
 #include "sketchsurfacer/document/background_work.h"
 
 #include <algorithm>
+#include <unordered_set>
 
 namespace ductus {
 
@@ -38,6 +39,16 @@ Rgba roleColour(StrokeRole role, bool dark)
         return dark ? Rgba{70, 204, 190, 255} : Rgba{0, 128, 118, 255};
     }
     return {};
+}
+
+Rgba foundBorderColour(bool dark)
+{
+    const Rgba surface = roleColour(StrokeRole::Surface, dark),
+               border = roleColour(StrokeRole::Boundary, dark);
+    Rgba between{0, 0, 0, 255};
+    for (std::size_t i = 0; i < 3; ++i)
+        between[i] = std::uint8_t((surface[i] + border[i]) / 2);
+    return between;
 }
 
 Rgba scribbleColour(ScribbleKind kind)
@@ -111,6 +122,12 @@ void SketchPresenter::showStrokes()
     const StrokeSet &strokes = mDocument.strokes();
     const DeviationMap *map = mShown && mView.mode() == ViewMode::Deviation ? &mShown->deviationMap : nullptr;
     std::vector<ViewLine> lines;
+    std::vector<StrokeId> chosen = mSelection; // of a cloud of points it may be thousands
+    const auto byValue = [](StrokeId a, StrokeId b) { return a.value < b.value; };
+    std::sort(chosen.begin(), chosen.end(), byValue);
+    std::unordered_set<int> found;
+    for (StrokeId id : foundBorders())
+        found.insert(id.value);
     for (std::size_t i = 0; i < strokes.strokes.size(); ++i) {
         const Stroke &stroke = strokes.strokes[i];
         ViewLine line;
@@ -118,13 +135,20 @@ void SketchPresenter::showStrokes()
         line.colours = {roleColour(stroke.role, mDark)};
         line.coloursOnMesh = {stroke.role == StrokeRole::Surface ? Rgba{44, 54, 86, 255}
                                                                  : roleColour(stroke.role, false)};
+        if (found.count(stroke.id.value) > 0) {
+            line.colours = {mBordersPointedOut ? roleColour(StrokeRole::Boundary, mDark)
+                                               : foundBorderColour(mDark)};
+            line.coloursOnMesh = {mBordersPointedOut ? roleColour(StrokeRole::Boundary, false)
+                                                     : foundBorderColour(false)};
+            line.width = mBordersPointedOut ? 1.8 : 1.0;
+        }
         if (map && i < map->strokeDistance.size() && map->strokeDistance[i].size() == stroke.points.size()) {
             line.coloursOnMesh = deviationColours(map->strokeDistance[i], map->largest);
             line.width = 1.25;
         }
         if (stroke.role == StrokeRole::Ignored)
             line.width = 0.6;
-        if (std::find(mSelection.begin(), mSelection.end(), stroke.id) != mSelection.end()) {
+        if (std::binary_search(chosen.begin(), chosen.end(), stroke.id, byValue)) {
             line.colours = line.coloursOnMesh = {selectedColour};
             line.width = 1.5;
         }
@@ -225,6 +249,28 @@ StrokeId SketchPresenter::strokeId(int lineIndex) const
     const std::vector<Stroke> &strokes = mDocument.strokes().strokes;
     return lineIndex >= 0 && lineIndex < int(strokes.size()) ? strokes[std::size_t(lineIndex)].id
                                                              : StrokeId();
+}
+
+std::vector<StrokeId> SketchPresenter::foundBorders() const
+{
+    std::vector<StrokeId> found;
+    if (!mShown || mShown->foundBorders.empty())
+        return found;
+    std::unordered_set<int> ids;
+    for (StrokeId id : mShown->foundBorders)
+        ids.insert(id.value);
+    for (const Stroke &stroke : mDocument.strokes().strokes)
+        if (stroke.role == StrokeRole::Surface && ids.count(stroke.id.value) > 0)
+            found.push_back(stroke.id);
+    return found;
+}
+
+void SketchPresenter::setBordersPointedOut(bool on)
+{
+    if (on == mBordersPointedOut)
+        return;
+    mBordersPointedOut = on;
+    showStrokes();
 }
 
 void SketchPresenter::setDark(bool dark)

@@ -12,6 +12,8 @@ namespace ductus {
 
 /// The colour a role has everywhere.
 Rgba roleColour(StrokeRole role, bool dark);
+/// Of a border nobody marked: between those of the roles.
+Rgba foundBorderColour(bool dark);
 /// The colour a kind of scribble has everywhere.
 Rgba scribbleColour(ScribbleKind kind);
 
@@ -30,6 +32,10 @@ public:
     void setSelection(std::vector<StrokeId> strokes);
     const std::vector<StrokeId> &selection() const { return mSelection; }
     StrokeId strokeId(int lineIndex) const;
+    /// Strokes the shown surface ends along although nobody marked them as its border.
+    std::vector<StrokeId> foundBorders() const;
+    /// Shows foundBorders() as plainly as marked ones.
+    void setBordersPointedOut(bool on);
     void setDark(bool dark);
 
 signals:
@@ -51,6 +57,7 @@ private:
     std::deque<std::shared_ptr<const ResultView>> mKept; // oldest first
     std::shared_ptr<const ResultView> mShown;
     std::vector<StrokeId> mSelection;
+    bool mBordersPointedOut = false;
     bool mDark = true;
 };
 

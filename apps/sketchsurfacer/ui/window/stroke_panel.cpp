@@ -1,10 +1,12 @@
 #include "sketchsurfacer/ui/window/stroke_panel.h"
 
 #include <QComboBox>
+#include <QEvent>
 #include <QFormLayout>
 #include <QLabel>
 #include <QPainter>
 #include <QPushButton>
+#include <QVBoxLayout>
 #include <algorithm>
 
 namespace ductus {
@@ -51,6 +53,7 @@ StrokePanel::StrokePanel(SketchDocument &document, SketchPresenter &presenter, T
     : QWidget(parent), mDocument(document), mPresenter(presenter), mTools(tools)
 {
     auto *form = new QFormLayout(this);
+    mLivePresenter = &presenter;
     form->setContentsMargins(0, 0, 0, 0);
     form->setVerticalSpacing(6);
     mChosen = new QLabel;
@@ -65,6 +68,8 @@ StrokePanel::StrokePanel(SketchDocument &document, SketchPresenter &presenter, T
     mDelete->setToolTip(tr("Takes the chosen strokes out of the sketch (Del). Undo brings them back."));
     form->addRow(mChosen, mDelete);
     form->addRow(tr("&Role"), mRole);
+    mFoundRow = newFoundRow();
+    form->addRow(mFoundRow);
     connect(mRole, &QComboBox::activated, this, [this] {
         const StrokeRole role = StrokeRole(mRole->currentData().toInt());
         mTools.setBrushRole(role);
@@ -77,13 +82,63 @@ StrokePanel::StrokePanel(SketchDocument &document, SketchPresenter &presenter, T
         mDocument.deleteStrokes(chosen);
     });
     connect(&presenter, &SketchPresenter::selectionChanged, this, &StrokePanel::refresh);
+    connect(&presenter, &SketchPresenter::resultShown, this, &StrokePanel::refresh);
     connect(&document, &Document::changed, this, &StrokePanel::refresh);
     connect(&tools, &ToolBox::toolChanged, this, &StrokePanel::refresh);
     refresh();
 }
 
+QWidget *StrokePanel::newFoundRow()
+{
+    auto *row = new QWidget;
+    row->setObjectName(QStringLiteral("foundBorders"));
+    auto *layout = new QVBoxLayout(row);
+    layout->setContentsMargins(0, 2, 0, 0);
+    layout->setSpacing(4);
+    mFound = new QLabel;
+    mFound->setWordWrap(true);
+    mFound->setProperty("dim", true);
+    mConfirm = new QPushButton(tr("Mark as &border"));
+    mConfirm->setObjectName(QStringLiteral("confirmBorders"));
+    mConfirm->setToolTip(tr("Nobody marked these strokes; the surface ends along them because nothing lies "
+                            "beyond. Marked, they stay its border whatever else is drawn."));
+    layout->addWidget(mFound);
+    layout->addWidget(mConfirm);
+    // They are shown while one points at the row, or comes to its button by Tab.
+    row->installEventFilter(this);
+    mConfirm->installEventFilter(this);
+    connect(mConfirm, &QPushButton::clicked, this,
+            [this] { mDocument.setRole(mPresenter.foundBorders(), StrokeRole::Boundary); });
+    return row;
+}
+
+bool StrokePanel::eventFilter(QObject *watched, QEvent *event)
+{
+    if (!mLivePresenter)
+        return false; // the window is going
+    switch (event->type()) {
+    case QEvent::Enter:
+    case QEvent::Leave:
+    case QEvent::FocusIn:
+    case QEvent::FocusOut:
+    case QEvent::Hide:
+        // The row keeps the pointer while it is over the button.
+        mPresenter.setBordersPointedOut(mFoundRow->isVisible() &&
+                                        (mConfirm->hasFocus() || event->type() == QEvent::Enter ||
+                                         (watched == mConfirm && mFoundRow->underMouse())));
+        break;
+    default:
+        break;
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
 void StrokePanel::refresh()
 {
+    const int found = int(mPresenter.foundBorders().size());
+    mFound->setText(tr("Border found: the surface ends along %n strokes nobody marked.", nullptr, found));
+    mFoundRow->setVisible(found > 0);
+
     const std::vector<StrokeId> &chosen = mPresenter.selection();
     mChosen->setText(chosen.empty()       ? tr("No stroke chosen")
                      : chosen.size() == 1 ? tr("One stroke chosen")

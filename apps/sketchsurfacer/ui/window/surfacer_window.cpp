@@ -178,6 +178,9 @@ void SurfacerWindow::showPointerText(const QPointF &position)
     }
     if (const int line = mView->strokeAt(position); line >= 0) {
         words << tr("stroke %1").arg(mPresenter->strokeId(line).value);
+        const std::vector<StrokeId> found = mPresenter->foundBorders();
+        if (std::find(found.begin(), found.end(), mPresenter->strokeId(line)) != found.end())
+            words << tr("border found");
         if (view && line < int(view->deviationMap.strokeDistance.size()) &&
             !view->deviationMap.strokeDistance[std::size_t(line)].empty()) {
             const std::vector<double> &d = view->deviationMap.strokeDistance[std::size_t(line)];
