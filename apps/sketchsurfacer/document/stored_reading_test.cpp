@@ -65,6 +65,7 @@ void StoredReadingTest::initTestCase()
         mContent.options = sketch->options;
     }
     mContent.options.segmentation.runs = 1;
+    mContent.options.proxy.targetVertices = 2500; // the file does not keep this: there the proxy is another
     QVERIFY(!mContent.strokes->strokes.empty());
     const auto prepared = prepareSurfacing(*mContent.strokes, {}, mContent.options, JobControl());
     QVERIFY2(prepared.ok(), prepared.ok() ? "" : prepared.error().message().c_str());
@@ -137,7 +138,7 @@ void StoredReadingTest::survivesTheFileAndTakesScribbles()
     const LabelSolution &before = *reopened.result()->labels->before;
     QCOMPARE(before.segmentation.models.size(), mChosen->labels->segmentation.models.size());
     const StoredReading again = *reopened.snapshot().documents.at(0).sketchSurface->reading;
-    QCOMPARE(again.points.size(), storedReading(*mChosen).points.size());
+    QVERIFY(again.points.size() > storedReading(*mChosen).points.size());
     QCOMPARE(again.models.size(), mChosen->labels->segmentation.models.size());
 }
 
