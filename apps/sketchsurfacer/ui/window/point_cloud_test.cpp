@@ -18,7 +18,7 @@ const Vec3 middle(0.1, 0.6, -0.2);
 constexpr double radius = 0.5;
 
 // An even spiral over a ball with a flat bottom.
-QByteArray cutBall()
+QByteArray cutBall(int pointCount)
 {
     QByteArray text;
     for (int i = 0; i < pointCount; ++i) {
@@ -76,7 +76,7 @@ void PointCloudWindowTest::initTestCase()
 void PointCloudWindowTest::aDroppedCloudIsSeenAsDots()
 {
     SurfacerWindow &window = *mApp->window;
-    QVERIFY(dropFile(window, mApp->dir.filePath("ball.xyz"), cutBall()));
+    QVERIFY(dropFile(window, mApp->dir.filePath("ball.xyz"), cutBall(pointCount)));
     QTRY_COMPARE_WITH_TIMEOUT(window.sketch().strokes().strokes.size(), std::size_t(pointCount), 20'000);
     QTRY_VERIFY(!window.messages()->messages().isEmpty());
     QCOMPARE(window.messages()->messages().last().kind, MessageKind::Info);
@@ -130,6 +130,14 @@ void PointCloudWindowTest::aDenseCloudIsHandledAtOnce()
 void PointCloudWindowTest::theCloudIsSurfaced()
 {
     SurfacerWindow &window = *mApp->window;
+    // Fewer points and a coarse proxy: how long the solver takes is no matter of the window.
+    QVERIFY(dropFile(window, mApp->dir.filePath("thin.xyz"), cutBall(2000)));
+    QTRY_COMPARE_WITH_TIMEOUT(window.sketch().strokes().strokes.size(), std::size_t(2000), 20'000);
+    SurfaceOptions options = window.sketch().content().options;
+    options.symmetry = SymmetryMode::None;
+    options.proxy.targetVertices = 3000;
+    options.segmentation.runs = 1;
+    window.sketch().setOptions("Quicker", options);
     QElapsedTimer clock;
     clock.start();
     mApp->press(Qt::Key_Return, Qt::ControlModifier);
