@@ -75,10 +75,9 @@ public:
             "Exit codes: 0 done, 1 failed with the reason on stderr, 2 wrong usage, 3 cancelled (Ctrl-C)."));
         mParser.addPositionalArgument(QStringLiteral("IN"), QStringLiteral("The sketch, or its parts."),
                                       QStringLiteral("IN..."));
-        mParser.addOptions({mHelp,       mOutput,     mProxy,   mSymmetry,  mEpsilon,
-                            mSimplicity, mSmoothness, mRuns,    mSeed,      mVertices,
-                            mTightness,  mBoundary,   mIgnore,  mSkeletal,  mTubeRadius,
-                            mScribbles,  mReport,     mPicture, mAmbiguity, mQuiet});
+        mParser.addOptions({mHelp,       mOutput, mProxy,     mSymmetry,  mEpsilon,  mSimplicity, mSmoothness,
+                            mRuns,       mSeed,   mVertices,  mTightness, mBoundary, mIgnore,     mSkeletal,
+                            mTubeRadius, mParts,  mScribbles, mReport,    mPicture,  mAmbiguity,  mQuiet});
     }
 
     ParsedSurfaceArguments parse(const QStringList &arguments)
@@ -142,6 +141,10 @@ public:
                     QStringLiteral("--%1 takes stroke numbers such as 0,4,7-9").arg(option->names().last()));
             *ids = *list;
         }
+        const QString parts = mParser.value(mParts);
+        if (parts != QLatin1String("auto") && parts != QLatin1String("off"))
+            return wrong(QStringLiteral("--parts takes auto or off"));
+        a.findCables = parts == QLatin1String("auto");
         QString problem;
         std::optional<qlonglong> runs, seed, vertices;
         number(mEpsilon, 1e-5, 0.5, a.given.epsilon, problem);
@@ -254,6 +257,10 @@ private:
                                             "Radius of such tubes, share of the sketch's box diagonal; where "
                                             "the file has pressure, at half of it.",
                                             "R", "0.005");
+    QCommandLineOption mParts = option("parts",
+                                       "auto or off: whether cables are found by themselves, made tubes of, "
+                                       "and what they join surfaced apart.",
+                                       "HOW", "off");
     QCommandLineOption mScribbles = option("scribbles",
                                            "Corrections to the regions as a designer would draw them, JSON; "
                                            "the manual describes it.",

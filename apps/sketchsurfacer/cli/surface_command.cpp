@@ -12,6 +12,7 @@
 #include "sketchsurfacer/cli/sketch_input.h"
 #include "sketchsurfacer/cli/surface_arguments.h"
 #include "sketchsurfacer/cli/surface_report.h"
+#include "surfacing/parts/cable_proposal.h"
 
 #include <cstdio>
 #include <new>
@@ -48,6 +49,21 @@ Result<void> setRoles(StrokeSet &strokes, const std::vector<int> &ids, StrokeRol
                              std::to_string(int(strokes.strokes.size()) - 1),
                          std::string("Correct ") + option, ""};
         strokes.strokes[std::size_t(id)].role = role;
+    }
+    return {};
+}
+
+Result<void> markCables(StrokeSet &strokes, const JobControl &control)
+{
+    const Result<std::vector<int>> cables = proposedCables(strokes, {}, control);
+    if (!cables)
+        return cables.error();
+    for (int id : *cables) {
+        strokes.strokes[std::size_t(id)].role = StrokeRole::Skeletal;
+        std::fprintf(
+            stderr,
+            "sketchsurfacer: Stroke %d is taken for a cable; with --parts off it is one of the surface\n",
+            id);
     }
     return {};
 }
@@ -225,6 +241,9 @@ ExitCode run(SurfaceArguments &a, TerminalJob &job)
           setRoles(sketch->strokes, a.skeletalStrokes, StrokeRole::Skeletal, "--skeletal")})
         if (!chosen)
             return fail(job, chosen.error());
+    if (a.findCables)
+        if (Result<void> found = markCables(sketch->strokes, control); !found)
+            return fail(job, found.error());
     const std::string place = a.inputs.size() == 1 ? a.inputs.front().string() : nameOf(a);
     if (Result<void> hasWidth = checkHasWidth(sketch->strokes, place); !hasWidth)
         return fail(job, hasWidth.error());

@@ -2,10 +2,12 @@
 
 #include "strokes/resample.h"
 #include "surfacing/extraction/half_mesh.h"
+#include "surfacing/parts/part_proxy.h"
 #include "surfacing/pipeline/stopwatch.h"
 #include "surfacing/sketch/point_cloud.h"
 #include "surfacing/sketch/stray_strokes.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace ductus {
@@ -31,6 +33,13 @@ StrokeSet preparedStrokes(const StrokeSet &strokes, const UnitFrame &frame, doub
 bool digitsAreLost(const UnitFrame &frame)
 {
     return frame.diagonal < 1e3 * std::numeric_limits<double>::epsilon() * frame.centre.cwiseAbs().maxCoeff();
+}
+
+// Bodies are told apart only where a tube joins them: without, gaps are places where little was drawn.
+bool hasTubes(const StrokeSet &strokes)
+{
+    return std::any_of(strokes.strokes.begin(), strokes.strokes.end(),
+                       [](const Stroke &stroke) { return stroke.role == StrokeRole::Skeletal; });
 }
 
 } // namespace
@@ -89,7 +98,8 @@ Result<void> prepareProxy(SurfacingState &state, const std::optional<TriangleMes
     const StrokeSet whole = sketch.plane ? withMirrorImage(sketch.strokes, *sketch.plane) : sketch.strokes;
     Result<Proxy> proxy = givenProxy ? proxyFromMesh(inUnitFrame(*givenProxy, sketch.frame), whole,
                                                      state.options.proxy, control)
-                                     : makeProxy(whole, state.options.proxy, control);
+                          : hasTubes(sketch.input) ? makePartProxy(whole, state.options.proxy, {}, control)
+                                                   : makeProxy(whole, state.options.proxy, control);
     if (!proxy)
         return proxy.error();
     if (sketch.plane)
