@@ -8,6 +8,7 @@
 #include "project/project_reader.h"
 #include "project/project_writer.h"
 
+#include <QDir>
 #include <QSignalSpy>
 #include <QtTest>
 
@@ -172,7 +173,9 @@ void PaintingDocumentTest::untouchedProjectsStayAsTheyWere()
 {
     const Bytes bytes = bytesOf(samplePainting(1));
     PaintingDocument document;
-    QVERIFY(document.load(*parseProject(bytes, "p.ductus", knownDocuments()), "/tmp/p.ductus").ok());
+    QVERIFY(
+        document.load(*parseProject(bytes, "p.ductus", knownDocuments()), QDir::temp().filePath("p.ductus"))
+            .ok());
     const Result<SerializedProject> saved = serializedProject(document.snapshot());
     QVERIFY(saved.ok());
     QCOMPARE(saved->packedBuffers, 0);
