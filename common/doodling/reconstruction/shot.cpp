@@ -9,9 +9,14 @@ constexpr double focalShareOfWidth = 0.9;
 
 } // namespace
 
-double Shot::depthAt(int, const Vec2 &) const
+double Shot::depthAt(int frame, const Vec2 &pixel) const
 {
-    return sceneDepth; // the only rung there is yet knows no other
+    return depths.empty() ? sceneDepth : depths[std::size_t(frame)].depthAt(pixel);
+}
+
+int Shot::objectAt(int frame, const Vec2 &pixel) const
+{
+    return depths.empty() ? 0 : depths[std::size_t(frame)].objectAt(pixel);
 }
 
 Result<Shot> reconstructShot(Clip &clip, const ShotOptions &options, const JobControl &control)

@@ -5,16 +5,18 @@
 #pragma once
 
 #include "doodling/clip/clip.h"
+#include "doodling/reconstruction/depth_map.h"
 #include "doodling/reconstruction/feature_grid.h"
 #include "doodling/reconstruction/flow_field.h"
 #include "doodling/scene/shot_camera.h"
 
 namespace ductus {
 
-/// How much of the camera's movement is known: the rungs of the ladder that never refuses a clip.
-/// Tripod: the scene is taken for a picture at one depth; canvases follow in the picture, and their depth is
-/// the user's.
-enum class CameraKnowledge { Tripod };
+/// How much of the camera's movement is known: the rungs of the ladder that never refuses a clip, best last.
+/// Tripod: the camera stands still. RotationOnly: it turns on the spot, so the scene shows no depth by
+/// itself. SolvedCameras: it moves, and depth was measured. On the first two rungs depth is a guess made from
+/// what moves and where it touches the ground.
+enum class CameraKnowledge { Tripod, RotationOnly, SolvedCameras };
 
 struct Shot
 {
@@ -23,12 +25,16 @@ struct Shot
     CameraKnowledge knowledge = CameraKnowledge::Tripod;
     std::vector<ShotCamera> cameras;   // one a frame
     double sceneDepth = 10.0;          // where nothing is known; scene units
+    std::vector<DepthMap> depths;      // one a frame, or none: all is at sceneDepth
     std::vector<FlowField> forward;    // from frame t to t + 1
     std::vector<FlowField> backward;   // from frame t + 1 to t
     std::vector<FeatureGrid> features; // one a frame
 
     int frameCount() const { return int(cameras.size()); }
+    /// Along z of the frame's camera, scene units; always positive and finite.
     double depthAt(int frame, const Vec2 &pixel) const;
+    /// The number of the object there that moves by itself; 0 for what stands still and where nobody knows.
+    int objectAt(int frame, const Vec2 &pixel) const;
     /// Working pixels a pixel of the clip is wide.
     double scale() const { return clipWidth > 0 ? double(width) / clipWidth : 1.0; }
 };

@@ -15,7 +15,9 @@ constexpr std::size_t longestPath = 4096;
 constexpr double largest = 1e12;
 
 constexpr std::pair<std::string_view, CameraKnowledge> knowledgeNames[] = {
-    {"tripod", CameraKnowledge::Tripod}};
+    {"tripod", CameraKnowledge::Tripod},
+    {"rotation", CameraKnowledge::RotationOnly},
+    {"solved", CameraKnowledge::SolvedCameras}};
 
 std::string_view nameOf(CameraKnowledge knowledge)
 {
