@@ -1,0 +1,147 @@
+#include "doodling/tracking/track_canvas.h"
+
+#include <QtTest>
+
+using namespace ductus;
+
+namespace {
+
+constexpr int frames = 21;
+const Vec2 start(100.0, 60.0), speed(3.0, 1.0);
+
+// Everything moves evenly to the lower right, in front of a camera that stands still.
+Shot movingShot()
+{
+    Shot shot;
+    shot.width = shot.clipWidth = 320;
+    shot.height = shot.clipHeight = 160;
+    shot.cameras.assign(frames, ShotCamera{Eigen::Isometry3d::Identity(), 300.0, {160.0, 80.0}});
+    const FlowField still{80, 40, 4.0, std::vector<Eigen::Vector2f>(3200, {0.0f, 0.0f}),
+                          std::vector<float>(3200, 1.0f)};
+    FlowField ahead = still, back = still;
+    ahead.motions.assign(3200, speed.cast<float>());
+    back.motions.assign(3200, -speed.cast<float>());
+    for (int t = 0; t < frames; ++t) {
+        Image picture(320, 160);
+        for (int y = 0; y < 160; ++y)
+            for (int x = 0; x < 320; ++x) {
+                const auto shade =
+                    std::uint8_t(128 + 100 * std::sin(0.07 * (x - 3 * t)) * std::cos(0.05 * (y - t)));
+                picture.set(x, y, {shade, std::uint8_t(255 - shade), 90, 255});
+            }
+        shot.features.push_back(featuresOf(picture));
+        if (t + 1 < frames) {
+            shot.forward.push_back(ahead);
+            shot.backward.push_back(back);
+        }
+    }
+    return shot;
+}
+
+CanvasKeyframes placedAt(int frame)
+{
+    return {{{frame, start + frame * speed, {}, false}}, {}, {}, {}};
+}
+
+double angleBetween(const Eigen::Quaterniond &a, const Eigen::Quaterniond &b)
+{
+    return a.angularDistance(b);
+}
+
+} // namespace
+
+class TrackCanvasTest : public QObject
+{
+    Q_OBJECT
+private slots:
+    void followsItsPointFacingTheCamera()
+    {
+        const auto track = trackCanvas(movingShot(), placedAt(0), {}, {});
+        QVERIFY(track.ok());
+        QCOMPARE(int(track->frames.size()), frames);
+        for (int t = 0; t < frames; ++t) {
+            const CanvasFrame &frame = track->frames[std::size_t(t)];
+            QVERIFY((frame.pixel - start - t * speed).norm() < 0.1);
+            QVERIFY(angleBetween(frame.worldFromCanvas, Eigen::Quaterniond::Identity()) < 1e-3);
+            QCOMPARE(frame.scale, 1.0);
+            QVERIFY(frame.isVisible);
+        }
+    }
+    void depthIsSetWithoutMovingThePicture()
+    {
+        CanvasKeyframes keys = placedAt(0);
+        keys.depths = {{6, 4.0}, {16, 8.0}};
+        const Shot shot = movingShot();
+        const auto track = trackCanvas(shot, keys, {}, {});
+        QVERIFY(track.ok());
+        QVERIFY(std::abs(track->frames[6].depth - 4.0) < 1e-9);
+        QVERIFY(std::abs(track->frames[16].depth - 8.0) < 1e-9);
+        QVERIFY(track->frames[11].depth > 5.0 && track->frames[11].depth < 6.5);
+        for (int t = 0; t < frames; ++t) {
+            const CanvasFrame &frame = track->frames[std::size_t(t)];
+            QVERIFY((frame.pixel - start - t * speed).norm() < 0.1);
+            QVERIFY((*shot.cameras[std::size_t(t)].projected(frame.position) - frame.pixel).norm() < 1e-6);
+        }
+    }
+    void aDepthWithAPositionIsMetExactly()
+    {
+        CanvasKeyframes keys = placedAt(3);
+        keys.positions.front().depth = 5.0;
+        const auto track = trackCanvas(movingShot(), keys, {}, {});
+        QVERIFY(std::abs(track->frames[3].depth - 5.0) < 1e-9);
+        QVERIFY((track->frames[3].pixel - keys.positions.front().pixel).norm() < 1e-9);
+    }
+    void turnsAndSizesAreMetExactly_data()
+    {
+        QTest::addColumn<bool>("isStill");
+        QTest::newRow("along the path") << false;
+        QTest::newRow("still") << true;
+    }
+    void turnsAndSizesAreMetExactly()
+    {
+        QFETCH(bool, isStill);
+        CanvasTrackOptions options;
+        options.turning = isStill ? CanvasTurning::Still : CanvasTurning::AlongPath;
+        CanvasKeyframes keys = placedAt(10);
+        const Eigen::Quaterniond a(Eigen::AngleAxisd(0.4, Vec3::UnitY())),
+            b(Eigen::AngleAxisd(1.2, Vec3::UnitZ()));
+        keys.turns = {{2, a, false}, {18, b, false}};
+        keys.scales = {{5, 1.0}, {15, 4.0}};
+        const auto track = trackCanvas(movingShot(), keys, options, {});
+        QVERIFY(track.ok());
+        QVERIFY(angleBetween(track->frames[2].worldFromCanvas, a) < 1e-6);
+        QVERIFY(angleBetween(track->frames[18].worldFromCanvas, b) < 1e-6);
+        QCOMPARE(track->frames[0].scale, 1.0);
+        QVERIFY(std::abs(track->frames[10].scale - 2.0) < 1e-9); // as often doubled in each half
+        QVERIFY(std::abs(track->frames[20].scale - 4.0) < 1e-9);
+    }
+    void anInterpolatedTurnTakesTheShortestWay()
+    {
+        CanvasKeyframes keys = placedAt(0);
+        const Eigen::Quaterniond b(Eigen::AngleAxisd(1.0, Vec3::UnitZ()));
+        keys.turns = {{0, Eigen::Quaterniond::Identity(), true}, {20, b, false}};
+        const auto track = trackCanvas(movingShot(), keys, {}, {});
+        const Eigen::Quaterniond half(Eigen::AngleAxisd(0.5, Vec3::UnitZ()));
+        QVERIFY(angleBetween(track->frames[10].worldFromCanvas, half) < 1e-9);
+    }
+    void wrongKeyframesAreRefused()
+    {
+        const Shot shot = movingShot();
+        CanvasKeyframes none;
+        QVERIFY(!trackCanvas(shot, none, {}, {}).ok());
+        CanvasKeyframes keys = placedAt(0);
+        keys.depths = {{3, 0.0}};
+        QVERIFY(!trackCanvas(shot, keys, {}, {}).ok());
+        keys.depths = {{3, 1.0}, {3, 2.0}};
+        QVERIFY(!trackCanvas(shot, keys, {}, {}).ok());
+        keys.depths.clear();
+        keys.scales = {{frames, 1.0}};
+        QVERIFY(!trackCanvas(shot, keys, {}, {}).ok());
+        keys.scales.clear();
+        keys.turns = {{0, Eigen::Quaterniond(0.0, 0.0, 0.0, 0.0), false}};
+        QVERIFY(!trackCanvas(shot, keys, {}, {}).ok());
+    }
+};
+
+QTEST_APPLESS_MAIN(TrackCanvasTest)
+#include "track_canvas_test.moc"
