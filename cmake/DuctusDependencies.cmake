@@ -11,7 +11,7 @@ find_package(nlohmann_json REQUIRED)
 pkg_check_modules(ZIP REQUIRED IMPORTED_TARGET libzip)
 pkg_check_modules(PNG REQUIRED IMPORTED_TARGET libpng)
 pkg_check_modules(NETTLE REQUIRED IMPORTED_TARGET nettle)
-pkg_check_modules(FFMPEG REQUIRED IMPORTED_TARGET libavcodec libavformat libavutil libswscale)
+pkg_check_modules(FFMPEG REQUIRED IMPORTED_TARGET libavcodec libavformat libavutil libswscale libswresample)
 # By modules: highgui links Qt 5, so its list of all libraries must not be used.
 find_package(OpenCV REQUIRED COMPONENTS core imgproc video)
 add_library(Ductus::opencv INTERFACE IMPORTED)

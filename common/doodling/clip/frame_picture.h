@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/result.h"
-#include "doodling/clip/av_handles.h"
+#include "formats/film/av_handles.h"
 #include "imaging/image.h"
 
 namespace ductus {

@@ -4,7 +4,10 @@
 extern "C" {
 #include <libavcodec/avcodec.h>
 #include <libavformat/avformat.h>
+#include <libavutil/audio_fifo.h>
 #include <libavutil/display.h>
+#include <libavutil/opt.h>
+#include <libswresample/swresample.h>
 #include <libswscale/swscale.h>
 }
 
@@ -20,6 +23,8 @@ struct AvDeleter
     void operator()(AVPacket *p) const { av_packet_free(&p); }
     void operator()(AVFrame *p) const { av_frame_free(&p); }
     void operator()(SwsContext *p) const { sws_freeContext(p); }
+    void operator()(SwrContext *p) const { swr_free(&p); }
+    void operator()(AVAudioFifo *p) const { av_audio_fifo_free(p); }
 };
 
 template <typename T>
