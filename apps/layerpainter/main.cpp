@@ -1,5 +1,6 @@
 // LayerPainter: 3D paintings coloured with stacks of layers. Without a command the window, with one the batch
 // commands, which need no display.
+#include "layerpainter/cli/export_command.h"
 #include "layerpainter/cli/import_command.h"
 #include "layerpainter/cli/inspect_commands.h"
 #include "layerpainter/cli/render_command.h"
@@ -23,6 +24,7 @@ constexpr const char *usage =
     "Commands (layerpainter COMMAND --help lists the options):\n"
     "  import IN -o P.ductus   a Quill or .tilt painting or a mesh becomes a project\n"
     "  render IN -o OUT.png    a still, in any look\n"
+    "  export IN -o OUT.glb    a mesh whose vertices have the layers' colours\n"
     "  replay LOG -o P.ductus  an action log or a script of actions becomes a painting\n"
     "  info P.ductus           what a project holds\n"
     "  validate P.ductus       whether a project is sound\n"
@@ -37,6 +39,8 @@ Command commandOf(const QString &word)
         return ductus::runImportCommand;
     if (word == QLatin1String("render"))
         return ductus::runRenderCommand;
+    if (word == QLatin1String("export"))
+        return ductus::runExportCommand;
     if (word == QLatin1String("replay"))
         return ductus::runReplayCommand;
     if (word == QLatin1String("info"))

@@ -90,6 +90,16 @@ std::optional<Error> checkContent(const MeshFileContent &content)
     if (std::any_of(content.triangleRegions.begin(), content.triangleRegions.end(),
                     [](int r) { return r < 0; }))
         return invalid("a region number is negative");
+    if (!content.vertexColours.empty() && content.vertexColours.size() != mesh.vertices.size())
+        return invalid("there are " + std::to_string(content.vertexColours.size()) + " colours for " +
+                       std::to_string(mesh.vertices.size()) + " vertices");
+    for (const Eigen::Vector4f &colour : content.vertexColours)
+        if (!(colour.minCoeff() >= 0.f && colour.maxCoeff() <= 1.f))
+            return invalid("a colour is outside 0..1");
+    if (!content.regionNames.empty() &&
+        std::any_of(content.triangleRegions.begin(), content.triangleRegions.end(),
+                    [&](int r) { return std::size_t(r) >= content.regionNames.size(); }))
+        return invalid("a region has no name");
     if (mesh.isEmpty())
         return Error{ErrorCode::TooLittleData, "Writing the mesh", "there are no triangles", "", ""};
     return std::nullopt;
@@ -137,6 +147,26 @@ Result<TriangleMesh> readMesh(const std::filesystem::path &path, const JobContro
     if (!bytes)
         return bytes.error();
     return parseMesh(*bytes, path.filename().string(), control);
+}
+
+Result<ColouredMesh> readColouredMesh(const std::filesystem::path &path, const JobControl &control)
+{
+    const Result<std::string> bytes = readWholeFile(path, largestMeshFile, readingTheMesh);
+    if (!bytes)
+        return bytes.error();
+    const std::string name = path.filename().string();
+    if (!bytes->starts_with("glTF")) {
+        Result<TriangleMesh> mesh = parseMesh(*bytes, name, control);
+        if (!mesh)
+            return mesh.error();
+        return ColouredMesh{std::move(*mesh), {}};
+    }
+    try {
+        return readColouredGlbMesh(*bytes, name, control);
+    } catch (const std::bad_alloc &) {
+        return Error{ErrorCode::TooLarge, readingTheMesh, "the memory does not suffice for it",
+                     "Simplify the mesh first", name};
+    }
 }
 
 Result<std::string> meshBytes(const MeshFileContent &content, const std::string &extension,

@@ -128,6 +128,7 @@ private slots:
     void othersReadWhatWeWrite();
     void groupsAreRegions_data();
     void groupsAreRegions();
+    void coloursOfVerticesAreRead();
 };
 
 void ExportsReadElsewhereTest::othersReadWhatWeWrite_data()
@@ -197,6 +198,35 @@ void ExportsReadElsewhereTest::groupsAreRegions()
     QVERIFY2(counts == expected, qPrintable(names.join(", ")));
     if (extension == "obj")
         QVERIFY2(names.contains("region_0") && names.contains("region_1"), qPrintable(names.join(", ")));
+}
+
+// "I put my painting on the web and it is grey."
+void ExportsReadElsewhereTest::coloursOfVerticesAreRead()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath("ball.glb");
+    MeshFileContent content = ball();
+    content.regionNames = {"trunk", "leaves"};
+    for (const Vec3 &v : content.mesh.vertices)
+        content.vertexColours.push_back(
+            {float((v.x() - 8) / 4), float((v.y() + 23) / 6), float((v.z() - 1) / 8), 1});
+    const Result<void> written = writeMesh(content, path.toStdString(), JobControl());
+    QVERIFY2(written, written ? "" : written.error().message().c_str());
+    Assimp::Importer importer;
+    const aiScene *scene = importer.ReadFile(path.toStdString(), 0);
+    QVERIFY2(scene, importer.GetErrorString());
+    QCOMPARE(scene->mNumMeshes, 2u);
+    QCOMPARE(QString(scene->mMeshes[0]->mName.C_Str()), "trunk");
+    for (unsigned m = 0; m < scene->mNumMeshes; ++m) {
+        const aiMesh &mesh = *scene->mMeshes[m];
+        QVERIFY(mesh.HasVertexColors(0));
+        for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
+            const aiVector3D &v = mesh.mVertices[i];
+            const aiColor4D &c = mesh.mColors[0][i];
+            QVERIFY(std::abs(c.r - (v.x - 8) / 4) < 1e-4 && std::abs(c.g - (v.y + 23) / 6) < 1e-4 &&
+                    std::abs(c.b - (v.z - 1) / 8) < 1e-4 && c.a == 1.f);
+        }
+    }
 }
 
 QTEST_APPLESS_MAIN(ExportsReadElsewhereTest)

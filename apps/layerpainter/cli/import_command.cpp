@@ -1,7 +1,7 @@
 #include "layerpainter/cli/import_command.h"
 
-#include "cli/output_files.h"
 #include "cli/batch_command.h"
+#include "cli/output_files.h"
 #include "layerpainter/cli/painting_report.h"
 #include "layerpainter/document/painting_project.h"
 #include "project/project_writer.h"

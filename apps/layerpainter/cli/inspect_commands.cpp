@@ -1,8 +1,8 @@
 #include "layerpainter/cli/inspect_commands.h"
 
+#include "cli/batch_command.h"
 #include "document/document_files.h"
 #include "formats/atomic_file.h"
-#include "cli/batch_command.h"
 #include "layerpainter/cli/painting_report.h"
 #include "painting/storage/painting_content.h"
 #include "project/project_reader.h"

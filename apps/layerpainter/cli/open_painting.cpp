@@ -1,7 +1,7 @@
 #include "layerpainter/cli/open_painting.h"
 
-#include "document/document_files.h"
 #include "cli/batch_command.h"
+#include "document/document_files.h"
 #include "layerpainter/document/import_file.h"
 #include "layerpainter/document/painting_project.h"
 #include "project/project_reader.h"

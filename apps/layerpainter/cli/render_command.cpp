@@ -1,8 +1,9 @@
 #include "layerpainter/cli/render_command.h"
 
+#include "cli/batch_command.h"
 #include "cli/output_files.h"
 #include "formats/png_file.h"
-#include "cli/batch_command.h"
+#include "layerpainter/cli/look_argument.h"
 #include "layerpainter/cli/open_painting.h"
 #include "layerpainter/document/default_view.h"
 #include "painting/reference/reference_frame.h"
@@ -25,21 +26,6 @@ struct RenderArguments
     std::vector<double> camera; // eye, target, view angle; empty: the painting's own
     ReferenceOptions options;
 };
-
-Result<std::optional<LookId>> lookNamed(const Painting &painting, const QString &name)
-{
-    if (name.isEmpty())
-        return std::optional<LookId>();
-    std::string names;
-    for (const Look &look : painting.looks) {
-        if (QString::fromStdString(look.name).compare(name, Qt::CaseInsensitive) == 0)
-            return std::optional<LookId>(look.id);
-        names += (names.empty() ? "" : ", ") + look.name;
-    }
-    return Error{ErrorCode::InvalidArgument, "Rendering the painting",
-                 "there is no look \"" + name.toStdString() + "\"",
-                 names.empty() ? "Leave --look out: the painting has none" : "Choose one of: " + names, ""};
-}
 
 FrameCamera cameraOf(const RenderArguments &a, const Painting &painting)
 {

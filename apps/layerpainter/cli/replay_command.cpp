@@ -1,8 +1,8 @@
 #include "layerpainter/cli/replay_command.h"
 
+#include "cli/batch_command.h"
 #include "cli/output_files.h"
 #include "formats/atomic_file.h"
-#include "cli/batch_command.h"
 #include "layerpainter/cli/open_painting.h"
 #include "layerpainter/cli/painting_report.h"
 #include "layerpainter/document/painting_project.h"

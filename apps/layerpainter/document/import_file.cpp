@@ -39,13 +39,17 @@ std::string nameOf(const std::filesystem::path &path)
     return name.empty() ? named.parent_path().filename().string() : name;
 }
 
-Result<void> addMeshStack(Painting &painting, const std::string &name, TriangleMesh mesh)
+/// \a colours: linear RGB and opacity of the vertices; clay if there are none.
+Result<void> addMeshStack(Painting &painting, const std::string &name, TriangleMesh mesh,
+                          const std::vector<Eigen::Vector4f> &colours = {})
 {
     const Result<AddedStack> stack = addStack(painting, name);
     if (!stack)
         return stack.error();
     MeshShape shape{std::move(mesh), {}};
     shape.vertexColours.assign(shape.mesh.vertices.size(), clay);
+    for (std::size_t v = 0; v < colours.size(); ++v)
+        shape.vertexColours[v] = colours[v].head<3>();
     Result<AddedElements> added = addElements(stack->painting, stack->substrate,
                                               {std::make_shared<const ElementShape>(std::move(shape))});
     if (!added)
@@ -83,13 +87,19 @@ Result<ImportedFile> importPaintingFile(const std::filesystem::path &path, const
 
 Result<ImportedFile> importMesh(const std::filesystem::path &path, const JobControl &control)
 {
-    Result<TriangleMesh> mesh = readMesh(path, control);
+    Result<ColouredMesh> mesh = readColouredMesh(path, control);
     if (!mesh)
         return mesh.error();
     ImportedFile imported{{}, "mesh", nameOf(path), {}, {}};
-    if (const Result<void> added = addMeshStack(imported.painting, imported.name, std::move(*mesh)); !added)
+    if (const Result<void> added =
+            addMeshStack(imported.painting, imported.name, std::move(mesh->mesh), mesh->vertexColours);
+        !added)
         return placed(added.error(), path);
-    imported.notes.push_back("the mesh is clay-coloured: colours and textures of mesh files are not read");
+    if (mesh->vertexColours.empty())
+        imported.notes.push_back("the mesh is clay-coloured: only GLB's colours of vertices and materials "
+                                 "are read, no textures");
+    else if (std::ranges::any_of(mesh->vertexColours, [](const auto &c) { return c.w() < 1.f; }))
+        imported.notes.push_back("the mesh is opaque now: meshes have no opacity of their own");
     return imported;
 }
 

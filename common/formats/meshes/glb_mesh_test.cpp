@@ -64,6 +64,10 @@ private slots:
     void wrongScenesAreRefused();
     void repeatedNodesCannotFillTheMemory();
     void writerMakesAValidContainer();
+    void coloursComeBack();
+    void coloursOfMaterialsAndVerticesAreMultiplied();
+    void wrongColoursAreRefused_data();
+    void wrongColoursAreRefused();
 };
 
 void GlbMeshTest::plainTriangle()
@@ -228,6 +232,111 @@ void GlbMeshTest::writerMakesAValidContainer()
                                 x[k] <= accessor["max"][k].get<float>());
             }
         }
+}
+
+void GlbMeshTest::coloursComeBack()
+{
+    MeshFileContent content;
+    // Two triangles that share an edge in space but not in colour.
+    content.mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
+    content.mesh.triangles = {{0, 1, 2}, {3, 5, 4}};
+    content.triangleRegions = {0, 1};
+    content.regionNames = {"Stämme", "sky \xff"}; // the second is no UTF-8
+    content.vertexColours = {{1, 0, 0, 1},          {0, 1, 0, 1},          {0, 0, 1, 1},
+                             {.001f, .5f, .25f, 1}, {.5f, .5f, .5f, .25f}, {1, 1, 1, 0}};
+    const auto bytes = meshBytes(content, ".glb", {});
+    QVERIFY2(bytes, bytes ? "" : bytes.error().message().c_str());
+    const auto read = readColouredGlbMesh(*bytes, "a.glb", {});
+    QVERIFY2(read, read ? "" : read.error().message().c_str());
+    QCOMPARE(read->mesh.vertexCount(), 6);
+    QCOMPARE(read->vertexColours.size(), std::size_t(6));
+    for (int t = 0; t < 2; ++t)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto written = std::size_t(content.mesh.triangles[std::size_t(t)][k]);
+            const auto found = std::size_t(read->mesh.triangles[std::size_t(t)][k]);
+            QVERIFY(read->mesh.vertices[found] == content.mesh.vertices[written]);
+            const float off =
+                (read->vertexColours[found] - content.vertexColours[written]).cwiseAbs().maxCoeff();
+            QVERIFY2(off < 1.f / 65535, qPrintable(QString::number(off)));
+        }
+    // Without colours equal places are one vertex again.
+    QCOMPARE(readGlbMesh(*bytes, "a.glb", {})->vertexCount(), 4);
+
+    ByteReader header(std::string_view(*bytes).substr(12));
+    std::uint32_t jsonSize = 0;
+    QVERIFY(header.read(jsonSize));
+    const Json scene = Json::parse(bytes->substr(20, jsonSize));
+    QCOMPARE(scene["nodes"].size(), std::size_t(2));
+    QCOMPARE(scene["nodes"][0]["name"].get<std::string>(), std::string("Stämme"));
+    QVERIFY(scene["materials"][0]["extensions"].contains("KHR_materials_unlit"));
+    QCOMPARE(scene["materials"][0]["alphaMode"].get<std::string>(), std::string("OPAQUE"));
+    QCOMPARE(scene["materials"][1]["alphaMode"].get<std::string>(), std::string("BLEND"));
+    for (const Json &view : scene["bufferViews"])
+        QCOMPARE(view["byteOffset"].get<std::size_t>() % 4, std::size_t(0));
+
+    content.vertexColours[3].x() = std::numeric_limits<float>::quiet_NaN();
+    QVERIFY(!meshBytes(content, ".glb", {}).ok());
+    content.vertexColours.pop_back();
+    QVERIFY(!meshBytes(content, ".glb", {}).ok());
+}
+
+void GlbMeshTest::coloursOfMaterialsAndVerticesAreMultiplied()
+{
+    Json scene = triangleScene();
+    QVERIFY(readColouredGlbMesh(container(scene.dump(), triangleData()), "a.glb", {})->vertexColours.empty());
+    scene["materials"] = Json::parse(R"([{"pbrMetallicRoughness": {"baseColorFactor": [0.5, 1, 0.25, 1]}}])");
+    scene["meshes"][0]["primitives"][0]["material"] = 0;
+    auto read = readColouredGlbMesh(container(scene.dump(), triangleData()), "a.glb", {});
+    QVERIFY2(read, read ? "" : read.error().message().c_str());
+    QVERIFY(read->vertexColours[1] == Eigen::Vector4f(.5f, 1, .25f, 1));
+    // Three bytes a vertex, padded to four, as other programs write them.
+    std::string binary = triangleData() + std::string(2, '\0');
+    for (int v = 0; v < 3; ++v)
+        binary += {char(255), char(51), char(0), char(0)};
+    scene["bufferViews"].push_back(
+        {{"buffer", 0}, {"byteOffset", 44}, {"byteLength", 12}, {"byteStride", 4}});
+    scene["buffers"][0]["byteLength"] = binary.size();
+    scene["accessors"].push_back(
+        {{"bufferView", 2}, {"componentType", 5121}, {"count", 3}, {"type", "VEC3"}, {"normalized", true}});
+    scene["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] = 2;
+    read = readColouredGlbMesh(container(scene.dump(), binary), "a.glb", {});
+    QVERIFY2(read, read ? "" : read.error().message().c_str());
+    QVERIFY((read->vertexColours[2] - Eigen::Vector4f(.5f, .2f, 0, 1)).norm() < 1e-6f);
+}
+
+void GlbMeshTest::wrongColoursAreRefused_data()
+{
+    QTest::addColumn<QByteArray>("pointer");
+    QTest::addColumn<QByteArray>("value");
+    QTest::addColumn<QByteArray>("words");
+    const auto row = [](const char *title, const char *pointer, const char *value, const char *words) {
+        QTest::newRow(title) << QByteArray(pointer) << QByteArray(value) << QByteArray(words);
+    };
+    row("no such accessor", "/meshes/0/primitives/0/attributes/COLOR_0", "9", "accessors[9]");
+    row("one number each", "/meshes/0/primitives/0/attributes/COLOR_0", "1", "accessors[1]");
+    row("index is text", "/meshes/0/primitives/0/attributes/COLOR_0", "\"0\"", "colours");
+    row("too few", "/accessors/2/count", "2", "as many colours");
+    row("no such material", "/meshes/0/primitives/0/material", "4", "materials[4]");
+    row("three numbers", "/materials/0/pbrMetallicRoughness/baseColorFactor", "[1,1,1]", "base colour");
+}
+
+void GlbMeshTest::wrongColoursAreRefused()
+{
+    QFETCH(QByteArray, pointer);
+    QFETCH(QByteArray, value);
+    QFETCH(QByteArray, words);
+    Json scene = triangleScene();
+    scene["accessors"].push_back(
+        {{"bufferView", 0}, {"componentType", 5126}, {"count", 3}, {"type", "VEC3"}});
+    scene["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] = 2;
+    scene["materials"] = Json::parse(R"([{"pbrMetallicRoughness": {"baseColorFactor": [1, 1, 1, 1]}}])");
+    scene["meshes"][0]["primitives"][0]["material"] = 0;
+    QVERIFY(readColouredGlbMesh(container(scene.dump(), triangleData()), "a.glb", {}).ok());
+    scene[Json::json_pointer(pointer.toStdString())] = Json::parse(value.toStdString());
+    const auto mesh = readColouredGlbMesh(container(scene.dump(), triangleData()), "a.glb", {});
+    QVERIFY(!mesh.ok());
+    const QString message = QString::fromStdString(mesh.error().message());
+    QVERIFY2(message.contains(QString::fromUtf8(words)), qPrintable(message));
 }
 
 QTEST_APPLESS_MAIN(GlbMeshTest)

@@ -4,6 +4,8 @@
 #include "formats/meshes/mesh_formats.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
 
 namespace ductus {
 
@@ -16,11 +18,14 @@ enum PrimitiveMode { Triangles = 4, TriangleStrip = 5, TriangleFan = 6 };
 class GlbReader
 {
 public:
-    GlbReader(const GlbDocument &document, const JobControl &control) : mDocument(document), mControl(control)
+    GlbReader(const GlbDocument &document, bool withColours, const JobControl &control)
+        : mDocument(document), mWithColours(withColours), mControl(control)
     {
     }
 
-    Result<TriangleMesh> read();
+    /// The builder then has all triangles.
+    Result<void> read();
+    MeshBuilder &builder() { return mBuilder; }
 
 private:
     struct Placed
@@ -39,8 +44,11 @@ private:
                                       const std::string &where);
     std::optional<Error> addTriangles(const std::vector<std::int64_t> &corners, std::int64_t mode, bool flip,
                                       const std::string &where);
+    Result<std::vector<Eigen::Vector4f>> coloursOf(const Json &primitive, const Json &attributes,
+                                                   std::size_t count, const std::string &where) const;
 
     const GlbDocument &mDocument;
+    bool mWithColours;
     const JobControl &mControl;
     MeshBuilder mBuilder;
 };
@@ -154,6 +162,53 @@ std::optional<Error> GlbReader::addTriangles(const std::vector<std::int64_t> &co
     return std::nullopt;
 }
 
+/// One a vertex; white where neither vertices nor material have a colour.
+Result<std::vector<Eigen::Vector4f>> GlbReader::coloursOf(const Json &primitive, const Json &attributes,
+                                                          std::size_t count, const std::string &where) const
+{
+    Eigen::Vector4f base = Eigen::Vector4f::Ones();
+    const auto material = glbCount(primitive, "material", -1);
+    if (!material)
+        return mDocument.error(where, "its material is no index");
+    if (*material >= 0) {
+        const Result<const Json *> item = mDocument.item("materials", *material);
+        if (!item)
+            return item.error();
+        const auto pbr = (*item)->find("pbrMetallicRoughness");
+        if (pbr != (*item)->end() && pbr->is_object()) {
+            const auto factor = glbNumbers(*pbr, "baseColorFactor", 4);
+            if (!factor)
+                return mDocument.error("materials[" + std::to_string(*material) + "]",
+                                       "its base colour is not made of four numbers");
+            for (std::size_t k = 0; k < factor->size(); ++k)
+                base[int(k)] = float(std::clamp((*factor)[k], 0.0, 1.0));
+        }
+    }
+    std::vector<Eigen::Vector4f> colours(count, base);
+    const auto index = glbCount(attributes, "COLOR_0", -1);
+    if (!index)
+        return mDocument.error(where, "its colours are no accessor");
+    if (*index < 0)
+        return colours;
+    const Result<const Json *> accessor = mDocument.item("accessors", *index);
+    if (!accessor)
+        return accessor.error();
+    const std::size_t components = glbText(**accessor, "type") == "VEC3" ? 3 : 4;
+    const auto values = readGlbAccessor(mDocument, *index, components == 3 ? "VEC3" : "VEC4", components);
+    if (!values)
+        return values.error();
+    if (values->size() != count * components)
+        return mDocument.error(where, "it has not as many colours as positions");
+    for (std::size_t v = 0; v < count; ++v)
+        for (std::size_t k = 0; k < components; ++k) {
+            const double value = (*values)[v * components + k];
+            if (!std::isfinite(value))
+                return mDocument.error(where, "a colour is not a finite number");
+            colours[v][int(k)] *= float(std::clamp(value, 0.0, 1.0));
+        }
+    return colours;
+}
+
 std::optional<Error> GlbReader::addPrimitive(const Json &primitive, const Eigen::Affine3d &sceneFromMesh,
                                              const std::string &where)
 {
@@ -172,9 +227,19 @@ std::optional<Error> GlbReader::addPrimitive(const Json &primitive, const Eigen:
 
     const std::int64_t base = mBuilder.vertexCount();
     const std::int64_t count = std::int64_t(positions->size() / 3);
+    std::vector<Eigen::Vector4f> colours;
+    if (mWithColours) {
+        Result<std::vector<Eigen::Vector4f>> read =
+            coloursOf(primitive, *attributes, std::size_t(count), where);
+        if (!read)
+            return read.error();
+        colours = std::move(*read);
+    }
     for (std::int64_t v = 0; v < count; ++v) {
         const double *p = positions->data() + 3 * v;
-        if (const auto fault = mBuilder.addVertex(sceneFromMesh * Vec3(p[0], p[1], p[2])))
+        const Vec3 position = sceneFromMesh * Vec3(p[0], p[1], p[2]);
+        if (const auto fault = mWithColours ? mBuilder.addVertex(position, colours[std::size_t(v)])
+                                            : mBuilder.addVertex(position))
             return Error{fault->code, readingTheMesh, fault->problem, fault->remedy,
                          mDocument.name + ": " + where};
     }
@@ -222,7 +287,7 @@ std::optional<Error> GlbReader::addMesh(std::int64_t index, const Eigen::Affine3
     return std::nullopt;
 }
 
-Result<TriangleMesh> GlbReader::read()
+Result<void> GlbReader::read()
 {
     if (const auto error = refuseCompression())
         return *error;
@@ -262,7 +327,20 @@ Result<TriangleMesh> GlbReader::read()
             stack.push_back({*child, sceneFromThis});
     }
     mBuilder.mergeEqualVertices();
-    return mBuilder.finish(mDocument.name);
+    return {};
+}
+
+/// Whether anything in it has a colour.
+bool hasColours(const GlbDocument &document)
+{
+    for (const char *list : {"materials", "meshes"})
+        if (const auto items = document.root.find(list); items != document.root.end()) {
+            const std::string text = items->dump(-1, ' ', false, Json::error_handler_t::replace);
+            if (text.find("\"baseColorFactor\"") != std::string::npos ||
+                text.find("\"COLOR_0\"") != std::string::npos)
+                return true;
+        }
+    return false;
 }
 
 } // namespace
@@ -272,7 +350,22 @@ Result<TriangleMesh> readGlbMesh(std::string_view bytes, const std::string &name
     const Result<GlbDocument> document = openGlb(bytes, name);
     if (!document)
         return document.error();
-    return GlbReader(*document, control).read();
+    GlbReader reader(*document, false, control);
+    if (const Result<void> read = reader.read(); !read)
+        return read.error();
+    return reader.builder().finish(name);
+}
+
+Result<ColouredMesh> readColouredGlbMesh(std::string_view bytes, const std::string &name,
+                                         const JobControl &control)
+{
+    const Result<GlbDocument> document = openGlb(bytes, name);
+    if (!document)
+        return document.error();
+    GlbReader reader(*document, hasColours(*document), control);
+    if (const Result<void> read = reader.read(); !read)
+        return read.error();
+    return reader.builder().finishColoured(name);
 }
 
 } // namespace ductus

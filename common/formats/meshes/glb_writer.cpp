@@ -13,6 +13,7 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr int componentFloat = 5126;
+constexpr int componentUInt16 = 5123;
 constexpr int componentUInt32 = 5125;
 constexpr int targetVertices = 34962;
 constexpr int targetIndices = 34963;
@@ -45,8 +46,16 @@ public:
     std::string finish();
 
 private:
-    TriangleMesh partOf(const std::vector<int> &triangles);
+    struct Part
+    {
+        TriangleMesh mesh;
+        std::vector<int> used; // the content's vertex of each
+    };
+    Part partOf(const std::vector<int> &triangles);
+    Json materialOf(int region, const Part &part) const;
+    Json &primitivesFor(int region);
     int addVectors(const std::vector<Vec3> &vectors, bool withBounds);
+    int addColours(const std::vector<int> &vertices);
     int addIndices(const std::vector<Triangle> &triangles);
     int addAccessor(std::size_t viewBegin, int target, Json accessor);
 
@@ -65,6 +74,12 @@ GlbWriter::GlbWriter(const MeshFileContent &content)
     mRoot["scenes"] = Json::array({{{"nodes", Json::array({0})}}});
     mRoot["nodes"] = Json::array({{{"mesh", 0}, {"name", "surface"}}});
     mRoot["meshes"] = Json::array({{{"name", "surface"}, {"primitives", Json::array()}}});
+    if (!content.regionNames.empty()) { // each region adds its own
+        mRoot["scenes"][0]["nodes"] = Json::array();
+        mRoot["nodes"] = mRoot["meshes"] = Json::array();
+    }
+    if (!content.vertexColours.empty())
+        mRoot["extensionsUsed"] = {"KHR_materials_unlit"};
     mRoot["materials"] = mRoot["accessors"] = mRoot["bufferViews"] = Json::array();
 }
 
@@ -100,6 +115,21 @@ int GlbWriter::addVectors(const std::vector<Vec3> &vectors, bool withBounds)
     return addAccessor(begin, targetVertices, std::move(accessor));
 }
 
+/// 16 bits a number: 8 would show steps in dark linear colours.
+int GlbWriter::addColours(const std::vector<int> &vertices)
+{
+    const std::size_t begin = mBinary.size();
+    for (const int v : vertices)
+        for (int k = 0; k < 4; ++k)
+            appendLittleEndian(
+                mBinary, std::uint16_t(std::lround(65535.f * mContent.vertexColours[std::size_t(v)][k])));
+    return addAccessor(begin, targetVertices,
+                       {{"componentType", componentUInt16},
+                        {"count", vertices.size()},
+                        {"type", "VEC4"},
+                        {"normalized", true}});
+}
+
 int GlbWriter::addIndices(const std::vector<Triangle> &triangles)
 {
     const std::size_t begin = mBinary.size();
@@ -112,10 +142,10 @@ int GlbWriter::addIndices(const std::vector<Triangle> &triangles)
 }
 
 /// The triangles with the vertices they use, in the order of first use.
-TriangleMesh GlbWriter::partOf(const std::vector<int> &triangles)
+GlbWriter::Part GlbWriter::partOf(const std::vector<int> &triangles)
 {
-    TriangleMesh part;
-    std::vector<int> used;
+    Part found;
+    auto &[part, used] = found;
     for (const int t : triangles) {
         Triangle mapped;
         for (std::size_t k = 0; k < 3; ++k) {
@@ -132,37 +162,70 @@ TriangleMesh GlbWriter::partOf(const std::vector<int> &triangles)
     }
     for (const int v : used)
         mLocalFromGlobal[std::size_t(v)] = -1;
-    return part;
+    return found;
+}
+
+Json GlbWriter::materialOf(int region, const Part &part) const
+{
+    const std::string name = mContent.regionNames.empty() ? "region_" + std::to_string(region)
+                                                          : mContent.regionNames[std::size_t(region)];
+    if (mContent.vertexColours.empty()) {
+        const auto colour = regionColour(region);
+        return {{"name", name},
+                {"doubleSided", true},
+                {"pbrMetallicRoughness",
+                 {{"baseColorFactor", {colour[0], colour[1], colour[2], 1.0}},
+                  {"metallicFactor", 0.0},
+                  {"roughnessFactor", 0.7}}}};
+    }
+    const bool isTranslucent = std::any_of(part.used.begin(), part.used.end(), [&](int v) {
+        return mContent.vertexColours[std::size_t(v)].w() < 1.f;
+    });
+    return {{"name", name},
+            {"doubleSided", true},
+            {"alphaMode", isTranslucent ? "BLEND" : "OPAQUE"},
+            {"extensions", {{"KHR_materials_unlit", Json::object()}}},
+            // For programs that do not know unlit materials.
+            {"pbrMetallicRoughness",
+             {{"baseColorFactor", {1.0, 1.0, 1.0, 1.0}}, {"metallicFactor", 0.0}, {"roughnessFactor", 1.0}}}};
+}
+
+Json &GlbWriter::primitivesFor(int region)
+{
+    if (!mContent.regionNames.empty()) {
+        const std::string &name = mContent.regionNames[std::size_t(region)];
+        const std::size_t index = mRoot["meshes"].size();
+        mRoot["meshes"].push_back({{"name", name}, {"primitives", Json::array()}});
+        mRoot["nodes"].push_back({{"mesh", index}, {"name", name}});
+        mRoot["scenes"][0]["nodes"].push_back(index);
+    }
+    return mRoot["meshes"].back()["primitives"];
 }
 
 void GlbWriter::addRegion(int region, const std::vector<int> &triangles)
 {
-    const TriangleMesh part = partOf(triangles);
-    std::vector<Vec3> normals = vertexNormals(part);
+    const Part part = partOf(triangles);
+    std::vector<Vec3> normals = vertexNormals(part.mesh);
     for (Vec3 &normal : normals)
         if (normal.isZero())
             normal = Vec3::UnitY(); // glTF wants unit length, also where all triangles are degenerate
 
-    const auto colour = regionColour(region);
-    mRoot["materials"].push_back({{"name", "region_" + std::to_string(region)},
-                                  {"doubleSided", true},
-                                  {"pbrMetallicRoughness",
-                                   {{"baseColorFactor", {colour[0], colour[1], colour[2], 1.0}},
-                                    {"metallicFactor", 0.0},
-                                    {"roughnessFactor", 0.7}}}});
+    mRoot["materials"].push_back(materialOf(region, part));
     Json attributes;
-    attributes["POSITION"] = addVectors(part.vertices, true);
+    attributes["POSITION"] = addVectors(part.mesh.vertices, true);
     attributes["NORMAL"] = addVectors(normals, false);
-    mRoot["meshes"][0]["primitives"].push_back({{"attributes", attributes},
-                                                {"indices", addIndices(part.triangles)},
-                                                {"material", mRoot["materials"].size() - 1},
-                                                {"mode", 4}});
+    if (!mContent.vertexColours.empty())
+        attributes["COLOR_0"] = addColours(part.used);
+    primitivesFor(region).push_back({{"attributes", attributes},
+                                     {"indices", addIndices(part.mesh.triangles)},
+                                     {"material", mRoot["materials"].size() - 1},
+                                     {"mode", 4}});
 }
 
 std::string GlbWriter::finish()
 {
     mRoot["buffers"] = Json::array({{{"byteLength", mBinary.size()}}});
-    std::string json = mRoot.dump();
+    std::string json = mRoot.dump(-1, ' ', false, Json::error_handler_t::replace);
     json.append((4 - json.size() % 4) % 4, ' ');
     mBinary.append((4 - mBinary.size() % 4) % 4, '\0');
     std::string bytes;
@@ -184,8 +247,13 @@ std::string GlbWriter::finish()
 
 Result<std::string> writeGlbMesh(const MeshFileContent &content, const JobControl &control)
 {
-    // 24 bytes a vertex of each region it is in (at most one a corner), 12 a triangle; sizes are 32-bit.
-    if (std::uint64_t(content.mesh.triangleCount()) * (3 * 24 + 12) > 0xF0000000ull)
+    // 24 bytes a vertex of each region it is in (at most one a corner) and 8 for its colour, 12 a triangle;
+    // sizes are 32-bit.
+    const std::uint64_t corners = 3 * std::uint64_t(content.mesh.triangleCount());
+    const std::uint64_t mostVertices = regionsOf(content).size() == 1
+                                           ? std::min<std::uint64_t>(corners, content.mesh.vertices.size())
+                                           : corners;
+    if (mostVertices * (content.vertexColours.empty() ? 24 : 32) + 4 * corners > 0xF0000000ull)
         return Error{ErrorCode::TooLarge, "Writing the mesh", "the mesh is larger than a GLB file can be",
                      "Write it as PLY", ""};
     const std::vector<int> regions = regionsOf(content);

@@ -26,6 +26,14 @@ std::optional<MeshBuilder::Fault> MeshBuilder::addVertex(const Vec3 &position)
     return std::nullopt;
 }
 
+std::optional<MeshBuilder::Fault> MeshBuilder::addVertex(const Vec3 &position, const Eigen::Vector4f &colour)
+{
+    if (std::optional<Fault> fault = addVertex(position))
+        return fault;
+    mColours.push_back(colour);
+    return std::nullopt;
+}
+
 std::optional<MeshBuilder::Fault> MeshBuilder::addPolygon(std::span<const std::int64_t> corners)
 {
     if (corners.size() < 3)
@@ -57,22 +65,28 @@ void MeshBuilder::mergeEqualVertices()
     const std::vector<Vec3> &vertices = mMesh.vertices;
     const auto key = [&](int v) {
         const Vec3 &p = vertices[std::size_t(v)];
-        return std::array<double, 3>{p.x(), p.y(), p.z()};
+        std::array<double, 7> numbers{p.x(), p.y(), p.z()};
+        if (!mColours.empty())
+            std::copy_n(mColours[std::size_t(v)].data(), 4, numbers.begin() + 3);
+        return numbers;
     };
     std::vector<int> order(vertices.size());
     std::iota(order.begin(), order.end(), 0);
     std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return key(a) < key(b); });
-    std::vector<int> first(vertices.size()); // of the vertices at the same place, the first in file order
+    std::vector<int> first(vertices.size()); // of the equal vertices, the first in file order
     for (std::size_t i = 0; i < order.size(); ++i) {
         const bool same = i > 0 && key(order[i]) == key(order[i - 1]);
         first[std::size_t(order[i])] = same ? first[std::size_t(order[i - 1])] : order[i];
     }
     TriangleMesh merged;
+    std::vector<Eigen::Vector4f> colours;
     std::vector<int> newFromOld(vertices.size());
     for (int v = 0; v < mMesh.vertexCount(); ++v) {
         if (first[std::size_t(v)] == v) {
             newFromOld[std::size_t(v)] = merged.vertexCount();
             merged.vertices.push_back(vertices[std::size_t(v)]);
+            if (!mColours.empty())
+                colours.push_back(mColours[std::size_t(v)]);
         } else {
             newFromOld[std::size_t(v)] = newFromOld[std::size_t(first[std::size_t(v)])];
         }
@@ -84,6 +98,7 @@ void MeshBuilder::mergeEqualVertices()
             merged.triangles.push_back(mapped);
     }
     mMesh = std::move(merged);
+    mColours = std::move(colours);
 }
 
 Result<TriangleMesh> MeshBuilder::finish(const std::string &name)
@@ -92,6 +107,14 @@ Result<TriangleMesh> MeshBuilder::finish(const std::string &name)
         return Error{ErrorCode::TooLittleData, readingTheMesh, "there are no triangles in it",
                      "Export a mesh with faces", name};
     return std::move(mMesh);
+}
+
+Result<ColouredMesh> MeshBuilder::finishColoured(const std::string &name)
+{
+    Result<TriangleMesh> mesh = finish(name);
+    if (!mesh)
+        return mesh.error();
+    return ColouredMesh{std::move(*mesh), std::move(mColours)};
 }
 
 } // namespace ductus

@@ -3,7 +3,7 @@
 
 #include "base/job_control.h"
 #include "base/result.h"
-#include "geometry/triangle_mesh.h"
+#include "formats/mesh_file.h"
 
 #include <cstdint>
 #include <optional>
@@ -37,18 +37,22 @@ public:
     std::int64_t vertexCount() const { return std::int64_t(mMesh.vertices.size()); }
 
     std::optional<Fault> addVertex(const Vec3 &position);
+    /// Either all vertices have colours or none.
+    std::optional<Fault> addVertex(const Vec3 &position, const Eigen::Vector4f &colour);
 
     /// Fans the polygon from its first corner; triangles with a corner twice are left out.
     std::optional<Fault> addPolygon(std::span<const std::int64_t> corners);
 
-    /// Merges vertices at exactly the same place (0 equals -0); the first one stays.
+    /// Merges vertices at exactly the same place (0 equals -0) and of the same colour; the first one stays.
     void mergeEqualVertices();
 
     /// The mesh, or TooLittleData if there are no triangles. \a name of the file.
     Result<TriangleMesh> finish(const std::string &name);
+    Result<ColouredMesh> finishColoured(const std::string &name);
 
 private:
     TriangleMesh mMesh;
+    std::vector<Eigen::Vector4f> mColours; // as many as vertices, or none
 };
 
 } // namespace ductus

@@ -30,6 +30,9 @@ bool isOffHeader(std::string_view word);
 
 /// Binary glTF 2.0: the triangles of all meshes of the scene, placed by their nodes.
 Result<TriangleMesh> readGlbMesh(std::string_view bytes, const std::string &name, const JobControl &control);
+/// With COLOR_0 and base colours of materials, multiplied; no colours if the scene has neither.
+Result<ColouredMesh> readColouredGlbMesh(std::string_view bytes, const std::string &name,
+                                         const JobControl &control);
 Result<std::string> writeGlbMesh(const MeshFileContent &content, const JobControl &control);
 
 /// Distinct numbers of content.triangleRegions in rising order, {0} if there are none.
