@@ -1,8 +1,11 @@
-// DoodleStudio: hand-drawn animation that sticks to a filmed scene. Batch commands, which need no display.
+// DoodleStudio: hand-drawn animation that sticks to a filmed scene. Without a command the window, with one
+// the batch commands, which need no display.
 #include "doodlestudio/cli/analyse_command.h"
 #include "doodlestudio/cli/track_command.h"
+#include "doodlestudio/ui/run_window.h"
 
 #include <QCoreApplication>
+#include <QFileInfo>
 #include <QTextStream>
 
 namespace {
@@ -10,7 +13,10 @@ namespace {
 constexpr const char *usage =
     "DoodleStudio pins hand-drawn animation into a filmed scene.\n"
     "\n"
-    "Usage: doodlestudio COMMAND [OPTIONS]\n"
+    "Usage: doodlestudio [FILE...]\n"
+    "       doodlestudio COMMAND [OPTIONS]\n"
+    "\n"
+    "Without a command the window opens, with the file in it: a clip, a folder of pictures or a project.\n"
     "\n"
     "Commands (doodlestudio COMMAND --help lists the options):\n"
     "  analyse CLIP -o P.ductus                   finds how the scene moves\n"
@@ -18,31 +24,64 @@ constexpr const char *usage =
     "\n"
     "Exit codes: 0 done, 1 failed with the reason on stderr, 2 wrong usage, 3 cancelled.\n";
 
-} // namespace
+using Command = ductus::ExitCode (*)(const QStringList &);
 
-int main(int argc, char **argv)
+Command commandOf(const QString &word)
+{
+    if (word == QLatin1String("analyse"))
+        return ductus::runAnalyseCommand;
+    if (word == QLatin1String("track"))
+        return ductus::runTrackCommand;
+    return nullptr;
+}
+
+int wrongUsage(const QString &problem)
+{
+    QTextStream(stderr) << "doodlestudio: " << problem << "\n\n" << usage;
+    return int(ductus::ExitCode::WrongUsage);
+}
+
+int runBatch(int &argc, char **argv, const QString &word)
 {
     QCoreApplication app(argc, argv);
     QCoreApplication::setApplicationName(QStringLiteral("doodlestudio"));
     QCoreApplication::setApplicationVersion(QStringLiteral(DUCTUS_VERSION));
-    const QStringList arguments = QCoreApplication::arguments().mid(1);
-    const QString word = arguments.value(0);
-    if (word == QLatin1String("analyse"))
-        return int(ductus::runAnalyseCommand(arguments.mid(1)));
-    if (word == QLatin1String("track"))
-        return int(ductus::runTrackCommand(arguments.mid(1)));
-    if (word == QLatin1String("--version")) {
-        QTextStream(stdout) << "doodlestudio " << QCoreApplication::applicationVersion() << "\n";
-        return 0;
-    }
-    if (word == QLatin1String("--help") || word == QLatin1String("-h")) {
+    if (const Command command = commandOf(word))
+        return int(command(QCoreApplication::arguments().mid(2)));
+    if (word == QLatin1String("--version") || word == QLatin1String("-v"))
+        QTextStream(stdout) << "doodlestudio " << DUCTUS_VERSION << "\n";
+    else
         QTextStream(stdout) << usage;
-        return 0;
+    return int(ductus::ExitCode::Done);
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    // Read before there is an application: which kind of one is needed is told by the first word.
+    QStringList words;
+    for (int i = 1; i < argc; ++i)
+        words << QFile::decodeName(argv[i]);
+    const QString first = words.value(0);
+    static const QStringList asking{QStringLiteral("help"), QStringLiteral("--help"), QStringLiteral("-h"),
+                                    QStringLiteral("-v"), QStringLiteral("--version")};
+    if (commandOf(first) || asking.contains(first))
+        return runBatch(argc, argv, first);
+    QStringList files;
+    for (const QString &word : words) {
+        // -platform, -style and the like are Qt's own
+        if (word.startsWith(QLatin1Char('-')))
+            continue;
+        if (!QFileInfo::exists(word))
+            return wrongUsage(QStringLiteral("there is no command and no file \"%1\".").arg(word));
+        files << word;
     }
-    QTextStream(stderr) << "doodlestudio: "
-                        << (word.isEmpty() ? QStringLiteral("a command is missing")
-                                           : QStringLiteral("there is no command \"%1\"").arg(word))
-                        << "\n\n"
-                        << usage;
-    return int(ductus::ExitCode::WrongUsage);
+#ifdef Q_OS_UNIX
+    if (qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") &&
+        qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
+        return wrongUsage(
+            QStringLiteral("there is no display for the window. The batch commands need none."));
+#endif
+    return ductus::runStudioWindow(argc, argv, files);
 }

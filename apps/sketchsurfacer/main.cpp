@@ -75,5 +75,5 @@ int main(int argc, char *argv[])
     for (const QString &word : words)
         if (!word.startsWith(QLatin1Char('-')))
             files << word;
-    return ductus::runWindow(argc, argv, files);
+    return ductus::runSurfacerWindow(argc, argv, files);
 }

@@ -1,5 +1,6 @@
 #include "document/document_files.h"
 
+#include "doodling/storage/doodle_content.h"
 #include "painting/storage/painting_content.h"
 #include "project/project_reader.h"
 
@@ -37,7 +38,7 @@ std::filesystem::path enginePath(const QString &path)
 ProjectReadOptions knownDocuments()
 {
     ProjectReadOptions options;
-    options.kinds = {paintingKind()};
+    options.kinds = {paintingKind(), doodleKind()};
     return options;
 }
 

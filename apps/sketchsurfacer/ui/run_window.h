@@ -6,6 +6,6 @@
 namespace ductus {
 
 /// Shows the window with \a files opened in it; the exit code when it is closed.
-int runWindow(int &argc, char **argv, const QStringList &files);
+int runSurfacerWindow(int &argc, char **argv, const QStringList &files);
 
 } // namespace ductus

@@ -1,0 +1,69 @@
+// DoodleDocument: one filmed shot with what was found out about it and what was drawn into it. The clip stays
+// where it is: the document knows its place.
+#pragma once
+
+#include "document/document.h"
+#include "doodling/storage/doodle_content.h"
+
+#include <QImage>
+
+namespace ductus {
+
+/// The clip was found, or found elsewhere.
+struct ClipChanged : ChangeEvent
+{
+};
+
+/// The analysis of the clip is there.
+struct ShotChanged : ChangeEvent
+{
+};
+
+class DoodleDocument : public Document
+{
+    Q_OBJECT
+public:
+    explicit DoodleDocument(QObject *parent = nullptr);
+
+    bool isEmpty() const { return mClip.path.empty(); }
+    /// The clip's facts; its path as stored.
+    const ClipReference &clip() const { return mClip; }
+    /// Absolute path of the clip: file or folder. It may not be there.
+    QString clipPath() const;
+
+    /// A new, unsaved document on the clip at \a path.
+    void start(const QString &path, ClipReference clip);
+    /// The clip is elsewhere now. No edit: the file is changed at the next save.
+    void relocateClip(const QString &path);
+
+    /// What is known of the scene; null until the analysis was done.
+    std::shared_ptr<const Shot> shot() const { return mShot; }
+    void setShot(std::shared_ptr<const Shot> shot);
+    /// The analysis if there is one, else a camera that stands still: enough to place and draw.
+    std::shared_ptr<const Shot> sceneShot() const;
+
+    /// The folder the next snapshot will be saved in: the clip's path is stored as seen from there. Empty:
+    /// absolute, for copies whose folder means nothing.
+    void setSnapshotFolder(const QString &folder) { mSnapshotFolder = folder; }
+    /// What goes into the next snapshot as the project's picture; no edit. Null: the one it has stays.
+    void setPicture(const QImage &picture) { mPicture = picture; }
+
+protected:
+    Result<void> readFrom(const Project &project) override;
+    void writeTo(Project &project) const override;
+    void clear() override;
+
+private:
+    ClipReference mClip; // the path: absolute, or as seen from the project's folder
+    std::shared_ptr<const Shot> mShot;
+    mutable std::shared_ptr<const Shot> mPlainShot;
+    std::shared_ptr<const DoodleContent> mContent; // as read; what is unknown
+    Uuid mDocumentId;
+    QString mSnapshotFolder;
+    QImage mPicture;
+};
+
+/// A shot of \a clip in which nothing is known: the camera stands still and all is at one depth.
+Shot plainShot(const ClipReference &clip);
+
+} // namespace ductus

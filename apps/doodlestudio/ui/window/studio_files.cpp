@@ -1,0 +1,278 @@
+// Opening, saving and analysing in DoodleStudio's window.
+#include "document/document_files.h"
+#include "document/project_picture.h"
+#include "doodlestudio/ui/player/player_view.h"
+#include "doodlestudio/ui/timeline/timeline_view.h"
+#include "doodlestudio/ui/window/studio_window.h"
+#include "doodling/clip/clip_sound.h"
+#include "widgets/pages/start_page.h"
+#include "widgets/shell/message_bar.h"
+
+#include <QEventLoop>
+#include <QFileDialog>
+#include <QFileInfo>
+
+namespace ductus {
+
+void StudioWindow::fillStartPage()
+{
+    StartPage *page = startPage();
+    page->setHeading(tr("DoodleStudio"), tr("Draw into a filmed scene, so that it stays where you put it."));
+    page->setButtons({}, tr("Open..."));
+    page->setDropSentence(tr("Drop a clip, a folder of pictures or a project anywhere."));
+    connect(page, &StartPage::openRequested, this, &StudioWindow::chooseAndOpen);
+    connect(page, &StartPage::openFile, this, &StudioWindow::openPath);
+    connect(page, &StartPage::openSample, this, &StudioWindow::openSample);
+    connect(page, &StartPage::forgetFile, &mRecent, &RecentFiles::remove);
+    connect(&mRecent, &RecentFiles::changed, this, &StudioWindow::refreshRecent);
+    refreshRecent();
+}
+
+void StudioWindow::refreshRecent()
+{
+    QList<RecentCard> cards;
+    for (const RecentFile &file : mRecent.files())
+        cards << RecentCard{file.path, QPixmap::fromImage(file.picture), file.isMissing};
+    startPage()->setRecent(cards);
+}
+
+void StudioWindow::chooseAndOpen()
+{
+    const QString path = QFileDialog::getOpenFileName(
+        this, tr("Open"), QFileInfo(mRecent.paths().value(0)).path(),
+        tr("Clips and projects (*.ductus %1);;All files (*)").arg(clipPatterns()));
+    if (!path.isEmpty())
+        openPath(path);
+}
+
+void StudioWindow::openPath(const QString &path)
+{
+    if (!confirmLeaving())
+        return;
+    if (path.endsWith(QLatin1String(".ductus"), Qt::CaseInsensitive))
+        openProject(path);
+    else
+        openClipAt(path);
+}
+
+void StudioWindow::openSample(const QString &path)
+{
+    openPath(path);
+}
+
+void StudioWindow::openClipAt(const QString &path)
+{
+    jobs().start<OpenedClip>(
+        {QStringLiteral("open"), tr("Opening %1").arg(QFileInfo(path).fileName())}, this,
+        [path](const JobControl &control) { return openClipFile(path, control); },
+        [this, path](Result<OpenedClip> clip) {
+            if (!clip) {
+                showError(clip.error());
+                return;
+            }
+            messages()->closeAll();
+            mDoodle.start(path, clip->reference);
+            mRecent.add(path);
+            adoptClip(std::move(*clip));
+            analyse();
+        });
+}
+
+void StudioWindow::openProject(const QString &path)
+{
+    openDocument(mDoodle, jobs(), path, [this, path](Result<OpenNotes> notes) {
+        if (!notes) {
+            showError(notes.error());
+            return;
+        }
+        messages()->closeAll();
+        mRecent.add(path, projectThumbnail(mDoodle.project()));
+        for (const QString &warning : notes->warnings)
+            messages()->warning(warning);
+        findClip();
+    });
+}
+
+void StudioWindow::findClip()
+{
+    const QString path = mDoodle.clipPath();
+    showOpened();
+    if (!QFileInfo::exists(path)) {
+        lookForClip();
+        return;
+    }
+    jobs().start<OpenedClip>(
+        {QStringLiteral("open"), tr("Opening %1").arg(QFileInfo(path).fileName())}, this,
+        [path](const JobControl &control) { return openClipFile(path, control); },
+        [this](Result<OpenedClip> clip) {
+            if (!clip) {
+                showError(clip.error(), tr("Find the clip..."), [this] { lookForClip(); });
+                return;
+            }
+            if (isOtherClip(mDoodle.clip(), clip->reference)) {
+                Message message{MessageKind::Warning, tr("The clip is another one than this was drawn on.")};
+                message.remedy = tr("Its number of frames or its size differ.");
+                message.action = tr("Find the clip...");
+                message.run = [this] { lookForClip(); };
+                messages()->show(message);
+                return;
+            }
+            adoptClip(std::move(*clip));
+            if (!mDoodle.shot())
+                analyse();
+        });
+}
+
+void StudioWindow::lookForClip()
+{
+    Message message{MessageKind::Warning,
+                    tr("The clip %1 is not where it was.").arg(QFileInfo(mDoodle.clipPath()).fileName())};
+    message.remedy = tr("Show where it is now: everything drawn is kept.");
+    message.key = QStringLiteral("clip");
+    message.action = tr("Find the clip...");
+    message.run = [this] {
+        const QString found = QFileDialog::getOpenFileName(
+            this, tr("Where is %1?").arg(QFileInfo(mDoodle.clipPath()).fileName()), {},
+            tr("Clips (%1);;All files (*)").arg(clipPatterns()));
+        if (found.isEmpty()) {
+            lookForClip();
+            return;
+        }
+        mDoodle.relocateClip(found);
+        findClip();
+    };
+    messages()->show(message);
+}
+
+void StudioWindow::adoptClip(OpenedClip clip)
+{
+    const std::shared_ptr<const Shot> shot = mDoodle.sceneShot();
+    mPlayer->setWorkingSize({shot->width, shot->height});
+    mTimeline->setFrameTimes(clip.clip->info().frameTimes);
+    mTimeline->setSound(nullptr);
+    mPlayback.setSound(nullptr);
+    for (const std::string &warning : clip.clip->info().warnings)
+        messages()->warning(QString::fromStdString(warning));
+    mFrames.setClip(clip.clip);
+    mPlayback.setFrameTimes(clip.clip->info().frameTimes);
+    showOpened();
+    updatePictureSize();
+    if (!clip.clip->info().hasAudio)
+        return;
+    jobs().start<ClipSound>(
+        {QStringLiteral("sound"), tr("Reading the sound"), true}, this,
+        [path = enginePath(mDoodle.clipPath())](const JobControl &control) {
+            return readSound(path, {}, control);
+        },
+        [this](Result<ClipSound> sound) {
+            if (!sound) {
+                showError(sound.error());
+                return;
+            }
+            auto shared = std::make_shared<const ClipSound>(std::move(*sound));
+            mPlayback.setSound(shared);
+            mTimeline->setSound(shared);
+        });
+}
+
+void StudioWindow::analyse()
+{
+    jobs().start<std::shared_ptr<const Shot>>(
+        {QStringLiteral("analyse"), tr("Looking at the scene")}, this,
+        [path = enginePath(mDoodle.clipPath())](
+            const JobControl &control) -> Result<std::shared_ptr<const Shot>> {
+            // A clip of its own: the player's is in use.
+            Result<std::unique_ptr<Clip>> clip = openClip(path, control.part(0.0, 0.02));
+            if (!clip)
+                return clip.error();
+            Result<Shot> shot = reconstructShot(**clip, {}, control.part(0.02, 1.0));
+            if (!shot)
+                return shot.error();
+            return std::make_shared<const Shot>(std::move(*shot));
+        },
+        [this, revision = mDoodle.project().id](Result<std::shared_ptr<const Shot>> shot) {
+            if (revision != mDoodle.project().id)
+                return; // another clip was opened meanwhile
+            if (shot) {
+                mDoodle.setShot(std::move(*shot));
+                return;
+            }
+            if (!shot.error().isCancelled()) {
+                showError(shot.error(), tr("Try again"), [this] { analyse(); });
+                return;
+            }
+            Message message{MessageKind::Info, tr("The scene was not looked at to the end.")};
+            message.remedy = tr("Canvases cannot follow what moves until it is.");
+            message.action = tr("Look at the scene");
+            message.run = [this] { analyse(); };
+            message.key = QStringLiteral("analyse");
+            messages()->show(message);
+        });
+}
+
+void StudioWindow::showOpened()
+{
+    showCanvas();
+    mPlayer->setFocus();
+    showSceneWords();
+}
+
+void StudioWindow::save()
+{
+    if (mDoodle.filePath().isEmpty() || mDoodle.isReadOnly())
+        saveAs();
+    else
+        saveTo(mDoodle.filePath());
+}
+
+void StudioWindow::saveAs()
+{
+    if (mDoodle.isEmpty())
+        return;
+    if (const QString path = askForPath(); !path.isEmpty())
+        saveTo(path);
+}
+
+QString StudioWindow::askForPath()
+{
+    const QString beside =
+        QFileInfo(mDoodle.clipPath()).absolutePath() + QLatin1Char('/') + mDoodle.displayName();
+    QString path = QFileDialog::getSaveFileName(this, tr("Save as"), beside + QStringLiteral(".ductus"),
+                                                tr("Ductus projects (*.ductus)"));
+    if (!path.isEmpty() && !path.endsWith(QLatin1String(".ductus"), Qt::CaseInsensitive))
+        path += QStringLiteral(".ductus");
+    return path;
+}
+
+bool StudioWindow::saveForClosing()
+{
+    const bool hasPlace = !mDoodle.filePath().isEmpty() && !mDoodle.isReadOnly();
+    const QString path = hasPlace ? mDoodle.filePath() : askForPath();
+    if (path.isEmpty())
+        return false;
+    bool isSaved = false;
+    QEventLoop loop;
+    saveTo(path, [&](bool saved) {
+        isSaved = saved;
+        loop.quit();
+    });
+    loop.exec(QEventLoop::ExcludeUserInputEvents);
+    return isSaved;
+}
+
+void StudioWindow::saveTo(const QString &path, std::function<void(bool)> finish)
+{
+    const QImage shown = mPlayer->grabPicture();
+    mDoodle.setPicture(shown);
+    mDoodle.setSnapshotFolder(QFileInfo(path).absolutePath());
+    saveDocument(mDoodle, jobs(), path, [this, path, shown, finish](Result<SaveReport> report) {
+        if (report)
+            mRecent.add(path, shown);
+        else
+            showError(report.error(), tr("Save as..."), [this] { saveAs(); });
+        if (finish)
+            finish(report.ok());
+    });
+}
+
+} // namespace ductus
