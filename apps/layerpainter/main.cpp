@@ -23,7 +23,7 @@ constexpr const char *usage =
     "\n"
     "Commands (layerpainter COMMAND --help lists the options):\n"
     "  import IN -o P.ductus   a Quill or .tilt painting or a mesh becomes a project\n"
-    "  render IN -o OUT.png    a still, in any look\n"
+    "  render IN -o OUT        a still (.png) or a film (.mp4, .webm, .gif, folder), in any look\n"
     "  export IN -o OUT.glb    a mesh whose vertices have the layers' colours\n"
     "  replay LOG -o P.ductus  an action log or a script of actions becomes a painting\n"
     "  info P.ductus           what a project holds\n"

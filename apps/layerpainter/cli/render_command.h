@@ -1,4 +1,5 @@
-// `layerpainter render IN -o OUT.png`: a still of a painting, without display or graphics card.
+// `layerpainter render IN -o OUT.png|.mp4|.webm|.gif|FOLDER`: a still or a film of a painting, without a
+// display.
 #pragma once
 
 #include "cli/exit_code.h"
