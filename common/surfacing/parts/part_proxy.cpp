@@ -88,6 +88,15 @@ StrokeSet strokesOfBody(const StrokeSet &strokes, const std::vector<int> &bodies
     return part;
 }
 
+FlatEnd inInputFrame(FlatEnd end, const UnitFrame &frame)
+{
+    end.centre = frame.inputFromUnit(end.centre);
+    for (Vec3 &p : end.inside)
+        p = frame.inputFromUnit(p);
+    end.spacing *= frame.diagonal;
+    return end;
+}
+
 } // namespace
 
 std::vector<int> bodiesOf(const StrokeSet &strokes, const PartOptions &options)
@@ -160,6 +169,8 @@ Result<Proxy> makePartProxy(const StrokeSet &strokes, const ProxyOptions &option
         whole.mesh.vertices.insert(whole.mesh.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
         for (const Triangle &t : mesh.triangles)
             whole.mesh.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+        for (FlatEnd &end : proxy->flatEnds)
+            whole.flatEnds.push_back(inInputFrame(std::move(end), frame));
         whole.isOpen |= proxy->isOpen;
         if (!proxy->remarks.empty())
             whole.remarks += (whole.remarks.empty() ? "" : "; ") + proxy->remarks;

@@ -1,6 +1,7 @@
 #include "surfacing/pipeline/preparation.h"
 
 #include "strokes/resample.h"
+#include "surfacing/association/held_points.h"
 #include "surfacing/extraction/half_mesh.h"
 #include "surfacing/parts/part_proxy.h"
 #include "surfacing/pipeline/stopwatch.h"
@@ -137,6 +138,7 @@ Result<void> prepareAssociation(SurfacingState &state, const JobControl &control
         if (!association)
             return association.error();
     }
+    holdFlatEnds(*association, proxy->proxy.flatEnds, proxy->proxy.mesh, proxy->nearest);
     state.proxy = std::move(proxy);
     state.proxyInInput = proxyToShow(state);
     state.association = std::make_shared<const Association>(std::move(*association));

@@ -1,5 +1,6 @@
 #include "surfacing/pipeline/stroke_update.h"
 
+#include "surfacing/association/held_points.h"
 #include "surfacing/pipeline/local_attraction.h"
 #include "surfacing/pipeline/preparation.h"
 #include "surfacing/pipeline/stopwatch.h"
@@ -122,6 +123,15 @@ Result<void> attractProxy(SurfacingState &state, const std::vector<Vec3> &change
     return {};
 }
 
+// A profile drawn across an end says that it is a dome after all.
+void dropContradictedEnds(SurfacingState &state, const std::vector<Vec3> &added)
+{
+    Proxy proxy = state.proxy->proxy;
+    proxy.flatEnds = stillFlat(proxy.flatEnds, added, state.options.proxy.flatEnds);
+    if (proxy.flatEnds.size() != state.proxy->proxy.flatEnds.size())
+        state.proxy = std::make_shared<const PreparedProxy>(std::move(proxy), state.proxy->borderStrokes);
+}
+
 } // namespace
 
 Result<StrokeUpdate> updateStrokes(const SurfacingState &before, const StrokeSet &strokes,
@@ -157,6 +167,7 @@ Result<StrokeUpdate> updateStrokes(const SurfacingState &before, const StrokeSet
             return update;
         }
     }
+    dropContradictedEnds(state, unitPoints(state, change.added));
     state.timings.proxy = watch.lap();
 
     Result<Association> association =
@@ -164,6 +175,7 @@ Result<StrokeUpdate> updateStrokes(const SurfacingState &before, const StrokeSet
                   state.options.association, control.part(0.3, 0.6));
     if (!association)
         return association.error();
+    holdFlatEnds(*association, state.proxy->proxy.flatEnds, state.proxy->proxy.mesh, state.proxy->nearest);
     state.association = std::make_shared<const Association>(std::move(*association));
     state.timings.association = watch.lap();
 

@@ -5,6 +5,7 @@
 #include "geometry/remesh.h"
 #include "strokes/resample.h"
 #include "surfacing/proxy/field_surface.h"
+#include "surfacing/proxy/flat_ends.h"
 #include "surfacing/proxy/least_squares_mesh.h"
 #include "surfacing/proxy/local/local_fit.h"
 #include "surfacing/proxy/point_subset.h"
@@ -122,14 +123,14 @@ std::string_view proxyKindName(ProxyKind kind)
 
 Result<Proxy> makeProxy(const StrokeSet &strokes, const ProxyOptions &options, const JobControl &control)
 {
-    const std::vector<Vec3> points = samplesOf(strokes, 0.008);
-    if (points.size() < 8)
+    const std::vector<Vec3> drawn = samplesOf(strokes, 0.008);
+    if (drawn.size() < 8)
         return Error{ErrorCode::TooLittleData, "Making a proxy", "the sketch has too few strokes for a surface",
                      "Draw more strokes, or give a proxy mesh", ""};
-    if (isFlat(points))
+    if (isFlat(drawn))
         return Error{ErrorCode::NoSolution, "Making a proxy", "all strokes lie in one plane",
                      "Draw strokes in depth, or give a proxy mesh", ""};
-    Result<Wrap> wrap = wrapStrokes(points, options.wrap, control.part(0.0, 0.2));
+    Result<Wrap> wrap = wrapStrokes(drawn, options.wrap, control.part(0.0, 0.2));
     if (!wrap)
         return wrap.error();
 
@@ -142,18 +143,23 @@ Result<Proxy> makeProxy(const StrokeSet &strokes, const ProxyOptions &options, c
         proxy.remarks += (proxy.remarks.empty() ? "" : "; ") + text;
     };
     const Result<double> lambda =
-        chooseLambda(points, options.fitPoints, isOpen, options.lambdaChoice, control.part(0.2, 0.3));
+        chooseLambda(drawn, options.fitPoints, isOpen, options.lambdaChoice, control.part(0.2, 0.3));
     if (!lambda && lambda.error().isCancelled())
         return lambda.error();
     if (!lambda)
         remark(lambda.error().problem);
+    std::vector<Vec3> points = drawn;
+    if (!isOpen)
+        proxy.flatEnds = flatEndsOf(strokes, *wrap, options.flatEnds);
+    for (const FlatEnd &end : proxy.flatEnds)
+        points.insert(points.end(), end.inside.begin(), end.inside.end());
     struct Attempt
     {
         ProxyKind kind;
         double smoothing;
     };
     std::vector<Attempt> attempts{{ProxyKind::Variational, 1.0}, {ProxyKind::Variational, options.retrySmoothing}};
-    if (int(spreadOut(points, options.denseSpacing).size()) > options.mostDensePoints)
+    if (int(spreadOut(drawn, options.denseSpacing).size()) > options.mostDensePoints)
         attempts.insert(attempts.begin(), {ProxyKind::Local, 1.0});
     if (!options.allowVariational || !lambda)
         attempts.clear();

@@ -14,6 +14,7 @@
 #include "base/job_control.h"
 #include "base/result.h"
 #include "strokes/stroke.h"
+#include "surfacing/proxy/flat_ends.h"
 #include "surfacing/proxy/lambda_choice.h"
 #include "surfacing/proxy/local/local_fit_options.h"
 #include "surfacing/proxy/proxy_quality.h"
@@ -41,6 +42,7 @@ struct ProxyOptions
     double leastLocalSpacing = 1e-3; // of the points fitted in pieces, which are ...
     int mostLocalPoints = 30'000;    // ... at most so many
     LocalFitOptions local;
+    FlatEndOptions flatEnds;
     ProxyQualityLimits quality;
     WrapOptions wrap;
 };
@@ -54,6 +56,7 @@ struct Proxy
     bool isOpen = false;
     double lambda = 0.0;      // of the variational rung
     double alpha = 0.0;       // of the wrap
+    std::vector<FlatEnd> flatEnds; // of a solid; the mesh passes through them
     std::string remarks;      // why lower rungs were taken, in words
 };
 

@@ -126,7 +126,8 @@ Result<Wrap> wrapStrokes(const std::vector<Vec3> &points, const WrapOptions &opt
     }
     const std::optional<std::size_t> shell = loosestShell(candidates, options);
     const std::size_t chosen = shell ? *shell : tightestSolid(candidates, options);
-    return Wrap{std::move(candidates[chosen].mesh), alphas[chosen], shell.has_value()};
+    return Wrap{std::move(candidates[chosen].mesh), alphas[chosen], shell.has_value(),
+                options.offset};
 }
 
 } // namespace ductus

@@ -32,6 +32,7 @@ struct Wrap
     TriangleMesh mesh; // closed, outwards; may have several components
     double alpha = 0.0;
     bool isShell = false; // the thin layer around an open surface
+    double offset = 0.0;  // kept from the strokes
 };
 
 /// \a points: samples of the strokes in the unit frame, closer together than the smallest alpha.
