@@ -10,6 +10,8 @@ namespace ductus {
 
 namespace {
 
+constexpr int smallestSide = 16; // pixels that the exact flow can work on
+
 cv::Mat greyOf(const Image &image)
 {
     const cv::Mat rgba(image.height, image.width, CV_8UC4, const_cast<std::uint8_t *>(image.pixels.data()));
@@ -18,12 +20,23 @@ cv::Mat greyOf(const Image &image)
     return grey;
 }
 
-cv::Mat flowBetween(const cv::Mat &from, const cv::Mat &to)
+// Patches start from the rough motion where it fits better than what coarser levels found ("temporal
+// candidates" in OpenCV's words).
+cv::Mat flowBetween(const FlowPicture &from, const FlowPicture &to, const RoughMotion &start,
+                    const FlowOptions &options)
 {
-    const cv::Ptr<cv::DISOpticalFlow> method = cv::DISOpticalFlow::create(cv::DISOpticalFlow::PRESET_MEDIUM);
-    method->setFinestScale(0); // of the full size: a fifth less error than the preset at three times the cost
+    const auto matOf = [](const FlowPicture &picture) {
+        return cv::Mat(picture.height, picture.width, CV_8U, const_cast<std::uint8_t *>(picture.grey.data()));
+    };
+    const cv::Mat grid(start.height, start.width, CV_32FC2,
+                       const_cast<Eigen::Vector2f *>(start.motions.data()));
     cv::Mat flow;
-    method->calc(from, to, flow);
+    cv::resize(grid, flow, {from.width, from.height}, 0.0, 0.0, cv::INTER_NEAREST);
+    if (std::min(from.width, from.height) < smallestSide)
+        return flow;
+    const cv::Ptr<cv::DISOpticalFlow> method = cv::DISOpticalFlow::create(cv::DISOpticalFlow::PRESET_MEDIUM);
+    method->setFinestScale(options.isFullSize ? 0 : 1);
+    method->calc(matOf(from), matOf(to), flow);
     return flow;
 }
 
@@ -64,42 +77,81 @@ void rateAgreement(FlowField &field, const FlowField &back, const FlowOptions &o
         }
 }
 
-// The four cells around a place and their shares.
-template <typename Value, typename Cells>
-Value mixed(const FlowField &field, const Cells &cells, const Eigen::Vector2d &pixel)
-{
-    const double x = std::clamp(pixel.x() / field.cellSize - 0.5, 0.0, double(field.width - 1));
-    const double y = std::clamp(pixel.y() / field.cellSize - 0.5, 0.0, double(field.height - 1));
-    const int x0 = int(x), y0 = int(y);
-    const int x1 = std::min(x0 + 1, field.width - 1), y1 = std::min(y0 + 1, field.height - 1);
-    const double fx = x - x0, fy = y - y0;
-    const auto at = [&](int cx, int cy) {
-        return cells[std::size_t(cy) * std::size_t(field.width) + std::size_t(cx)];
-    };
-    return Value((at(x0, y0) * float(1 - fx) + at(x1, y0) * float(fx)) * float(1 - fy) +
-                 (at(x0, y1) * float(1 - fx) + at(x1, y1) * float(fx)) * float(fy));
-}
-
 } // namespace
+
+GridPlace::GridPlace(const Eigen::Vector2d &pixel, double cellSize, int width, int height)
+{
+    const double x = std::clamp(pixel.x() / cellSize - 0.5, 0.0, double(width - 1));
+    const double y = std::clamp(pixel.y() / cellSize - 0.5, 0.0, double(height - 1));
+    const int x0 = int(x), y0 = int(y);
+    const int x1 = std::min(x0 + 1, width - 1), y1 = std::min(y0 + 1, height - 1);
+    const double fx = x - x0, fy = y - y0;
+    const auto cell = [&](int cx, int cy) { return std::size_t(cy) * std::size_t(width) + std::size_t(cx); };
+    cells[0] = cell(x0, y0);
+    cells[1] = cell(x1, y0);
+    cells[2] = cell(x0, y1);
+    cells[3] = cell(x1, y1);
+    shares[0] = (1 - fx) * (1 - fy);
+    shares[1] = fx * (1 - fy);
+    shares[2] = (1 - fx) * fy;
+    shares[3] = fx * fy;
+}
 
 Eigen::Vector2d FlowField::motionAt(const Eigen::Vector2d &pixel) const
 {
-    return mixed<Eigen::Vector2f>(*this, motions, pixel).cast<double>();
+    const GridPlace place(pixel, cellSize, width, height);
+    Eigen::Vector2d motion = Eigen::Vector2d::Zero();
+    for (int i = 0; i < 4; ++i)
+        motion += place.shares[i] * motions[place.cells[i]].cast<double>();
+    return motion;
 }
 
 double FlowField::confidenceAt(const Eigen::Vector2d &pixel) const
 {
-    return mixed<float>(*this, confidences, pixel);
+    const GridPlace place(pixel, cellSize, width, height);
+    double confidence = 0.0;
+    for (int i = 0; i < 4; ++i)
+        confidence += place.shares[i] * double(confidences[place.cells[i]]);
+    return confidence;
+}
+
+MotionAt FlowField::at(const Eigen::Vector2d &pixel) const
+{
+    const GridPlace place(pixel, cellSize, width, height);
+    MotionAt at;
+    for (int i = 0; i < 4; ++i) {
+        at.motion += place.shares[i] * motions[place.cells[i]].cast<double>();
+        at.confidence += place.shares[i] * double(confidences[place.cells[i]]);
+    }
+    return at;
+}
+
+double missOf(const MotionAt &at, const FlowOptions &options)
+{
+    const double half = options.halfTrust + options.halfTrustShare * at.motion.norm();
+    return half * std::sqrt(1.0 / std::clamp(at.confidence, 1e-3, 1.0) - 1.0);
+}
+
+FlowPicture flowPictureOf(const Image &image)
+{
+    const cv::Mat grey = greyOf(image);
+    return {image.width, image.height, std::vector<std::uint8_t>(grey.datastart, grey.dataend),
+            windowPyramidOf(image)};
+}
+
+FlowPair denseFlow(const FlowPicture &from, const FlowPicture &to, const FlowOptions &options)
+{
+    const RoughMotionPair rough = roughMotion(from.windows, to.windows);
+    FlowPair pair{gridOf(flowBetween(from, to, rough.forward, options), options.cellSize),
+                  gridOf(flowBetween(to, from, rough.backward, options), options.cellSize)};
+    rateAgreement(pair.forward, pair.backward, options);
+    rateAgreement(pair.backward, pair.forward, options);
+    return pair;
 }
 
 FlowPair denseFlow(const Image &from, const Image &to, const FlowOptions &options)
 {
-    const cv::Mat greyFrom = greyOf(from), greyTo = greyOf(to);
-    FlowPair pair{gridOf(flowBetween(greyFrom, greyTo), options.cellSize),
-                  gridOf(flowBetween(greyTo, greyFrom), options.cellSize)};
-    rateAgreement(pair.forward, pair.backward, options);
-    rateAgreement(pair.backward, pair.forward, options);
-    return pair;
+    return denseFlow(flowPictureOf(from), flowPictureOf(to), options);
 }
 
 } // namespace ductus

@@ -8,6 +8,8 @@
 #include "doodling/reconstruction/depth_map.h"
 #include "doodling/reconstruction/feature_grid.h"
 #include "doodling/reconstruction/flow_field.h"
+#include "doodling/reconstruction/long_flow.h"
+#include "doodling/reconstruction/small_picture.h"
 #include "doodling/scene/shot_camera.h"
 
 namespace ductus {
@@ -23,12 +25,14 @@ struct Shot
     int width = 0, height = 0;         // of the working copy
     int clipWidth = 0, clipHeight = 0; // pixels of the clip
     CameraKnowledge knowledge = CameraKnowledge::Tripod;
-    std::vector<ShotCamera> cameras;   // one a frame
-    double sceneDepth = 10.0;          // where nothing is known; scene units
-    std::vector<DepthMap> depths;      // one a frame, or none: all is at sceneDepth
-    std::vector<FlowField> forward;    // from frame t to t + 1
-    std::vector<FlowField> backward;   // from frame t + 1 to t
-    std::vector<FeatureGrid> features; // one a frame
+    std::vector<ShotCamera> cameras;    // one a frame
+    double sceneDepth = 10.0;           // where nothing is known; scene units
+    std::vector<DepthMap> depths;       // one a frame, or none: all is at sceneDepth
+    std::vector<FlowField> forward;     // from frame t to t + 1
+    std::vector<FlowField> backward;    // from frame t + 1 to t
+    std::vector<FeatureGrid> features;  // one a frame
+    LongFlows longFlows;                // between frames further apart; may be none
+    std::vector<SmallPicture> pictures; // one a frame, or none
 
     int frameCount() const { return int(cameras.size()); }
     /// Along z of the frame's camera, scene units; always positive and finite.

@@ -30,6 +30,7 @@ Shot movingShot()
                 picture.set(x, y, {shade, std::uint8_t(255 - shade), 90, 255});
             }
         shot.features.push_back(featuresOf(picture));
+        shot.pictures.push_back(smallPictureOf(picture));
         if (t + 1 < frames) {
             shot.forward.push_back(ahead);
             shot.backward.push_back(back);
@@ -56,7 +57,7 @@ class TrackCanvasTest : public QObject
 private slots:
     void followsItsPointFacingTheCamera()
     {
-        const auto track = trackCanvas(movingShot(), placedAt(0), {}, {});
+        const auto track = trackCanvas(movingShot(), placedAt(4), {}, {});
         QVERIFY(track.ok());
         QCOMPARE(int(track->frames.size()), frames);
         for (int t = 0; t < frames; ++t) {

@@ -1,13 +1,14 @@
-// From keyframes to a trajectory (thesis VI.5.2): a rough path through similar cells, then positions that
-// follow the scene flow sampled along it and pass through the keyframes.
+// From keyframes to a trajectory (thesis VI.5.2): where the point is in the picture of every frame
+// (pixel_path.h), how far away it is there, and positions in the scene that pass through the keyframes
+// (trajectory.h).
 //
-// Beyond the thesis: flow is first followed from the keyframes, from one frame to the next, and only where it
-// is not to be trusted along the rough path: where it is, it is exact to parts of a pixel, and the path to
-// half a cell. Each step is looked at from both of its ends.
+// Beyond the thesis: its rough path is a sampling of the scene flow's places, ours is exact in the picture;
+// so the picture is what is kept, and only depth is smoothed and solved for.
 #pragma once
 
 #include "doodling/reconstruction/shot.h"
-#include "doodling/tracking/layered_path.h"
+#include "doodling/tracking/depth_along.h"
+#include "doodling/tracking/pixel_path.h"
 #include "doodling/tracking/trajectory.h"
 
 #include <optional>
@@ -29,17 +30,16 @@ struct TrackedPoint
     Vec2 pixel = Vec2::Zero();
     double depth = 0.0;
     bool isVisible = true; // inside the picture and not hidden
+    // How the thing around the point turned in the picture (radians, clockwise as seen) and grew (a factor)
+    // since the first keyframe.
+    double turn = 0.0, growth = 1.0;
 };
 
 struct TrackOptions
 {
-    double keptShare = 0.1;     // of the cells of a frame, thesis VI.5.2
-    double unsafeJump = 0.7;    // cells: one whose flow is not trusted costs like a jump so far
-    double hiddenJump = 0.9;    // cells: the same for a frame in hiding; steps between middles jump up to 0.7
-    double followedFrom = 0.25; // confidence: where it is less, the rough path's motion is followed
-    int samplings = 2;          // of the flow along the trajectory
-    int hiddenPoints = 48;      // see LayeredPathOptions
-    int longestHidden = 24;     // frames
+    PixelPathOptions path;
+    DepthSmoothing depth;
+    double hiddenWeight = 1e-3; // of depths and steps of frames in which the point is hidden
     TrajectoryOptions trajectory;
 };
 

@@ -57,7 +57,9 @@ struct Film
         shot.height = shot.clipHeight = height;
         shot.cameras.assign(frames, ShotCamera{Eigen::Isometry3d::Identity(), 300.0, {160.0, 80.0}});
         for (int t = 0; t < frames; ++t) {
-            shot.features.push_back(featuresOf(picture(t)));
+            const Image image = picture(t);
+            shot.features.push_back(featuresOf(image));
+            shot.pictures.push_back(smallPictureOf(image));
             if (t + 1 < frames) {
                 shot.forward.push_back(flow(t, 1));
                 shot.backward.push_back(flow(t + 1, -1));
@@ -146,6 +148,7 @@ private slots:
         Shot shot = Film().shot();
         shot.cameras.resize(1);
         shot.features.resize(1);
+        shot.pictures.resize(1);
         shot.forward.clear();
         shot.backward.clear();
         const auto track = trackPoint(shot, {{0, {33.0, 44.0}, {}, false}}, {}, {});

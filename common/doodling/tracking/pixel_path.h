@@ -1,0 +1,37 @@
+// The trajectory in the picture (thesis VI.5.2, Eq. VI.1): through one proposed place a frame, so that steps
+// agree with the flow, places look like the keyframes and stay with their thing. A layered graph as in the
+// thesis, with a handful of proposed places a frame in place of every tenth of the frame's cells: its
+// shortest path is found layer by layer in microseconds, to parts of a pixel instead of to half a cell.
+#pragma once
+
+#include "doodling/tracking/path_proposals.h"
+
+namespace ductus {
+
+struct PixelPathOptions
+{
+    double stepPixels = 2.5;        // a step that misses the flow by so much costs 1,
+    double mostStepCost = 5.0;      // and at most so much: the flow is wrong, or the point was hidden
+    double alikeDifference = 18.0;  // grey levels: costs 1,
+    double mostLookCost = 3.0;      // and at most so much: light changes, things turn
+    double thingShare = 0.3;        // one deviation from the expected place costs this,
+    double mostThingCost = 1.2;     // and at most so much
+    double outsideCost = 1.5;       // of a place out of the picture: it looks like nothing
+    double foundCost = 0.5;         // of a place found by its look, to which no way led
+    double hiddenDifference = 22.0; // grey levels from which on a place shows something else
+    ProposalOptions proposals;
+};
+
+struct PathPoint
+{
+    Vec2 pixel = Vec2::Zero();
+    bool isVisible = true;
+    double turn = 0.0, growth = 1.0; // of the thing since the keyframe before, see SupportMotion
+};
+
+/// From \a from to \a to, or to frame \a end, in either direction; \a from first.
+std::vector<PathPoint> pixelPath(const Shot &shot, const PixelKeyframe &from,
+                                 const std::optional<PixelKeyframe> &to, int end,
+                                 const PixelPathOptions &options);
+
+} // namespace ductus
