@@ -78,7 +78,7 @@ Result<SurfacingState> resurface(const SurfacingState &before, const SurfacingRe
             return done.error();
         state.labels = nullptr;
     }
-    const bool sameLabels = !update.state && stage > SurfacingStage::Segmentation && state.hasLabels() &&
+    const bool sameLabels = (!update.state || update.isSolved) && stage > SurfacingStage::Segmentation && state.hasLabels() &&
                             state.labels->scribbles == request.scribbles;
     if (!sameLabels) {
         Result<SurfacingState> labelled =

@@ -8,6 +8,7 @@
 #include "surfacing/sketch/stray_strokes.h"
 
 #include <algorithm>
+#include <set>
 
 namespace ductus {
 
@@ -79,6 +80,38 @@ bool hasBorderOf(const SurfacingState &before, const StrokeDifference &change)
     return false;
 }
 
+// Whether nothing but the roles of just those strokes changed that the surface was found to end along: what
+// they are marked as now it was cut by already.
+bool marksWhatWasFound(const SurfacingState &before, const StrokeSet &strokes)
+{
+    const std::vector<Stroke> &old = before.sketch->input.strokes;
+    if (before.sketch->plane || old.size() != strokes.strokes.size())
+        return false;
+    std::set<int> found, marked;
+    for (const Stroke &border : before.proxy->borderStrokes.strokes)
+        found.insert(border.id.value);
+    for (std::size_t i = 0; i < old.size(); ++i) {
+        const Stroke &a = old[i], &b = strokes.strokes[i];
+        const bool isMarked = b.role == StrokeRole::Boundary;
+        if (a.id != b.id || a.points != b.points || (a.role != b.role && !isMarked))
+            return false;
+        if (isMarked)
+            marked.insert(b.id.value);
+    }
+    return !found.empty() && found == marked;
+}
+
+SurfacingState withStrokes(const SurfacingState &before, const StrokeSet &strokes)
+{
+    SurfacingState state = before;
+    auto sketch = std::make_shared<PreparedSketch>(*before.sketch);
+    sketch->input = strokes;
+    sketch->strokes = strokesInFrame(strokes, *sketch, state.options);
+    sketch->warnings.clear();
+    state.sketch = std::move(sketch);
+    return state;
+}
+
 std::string refusalOf(const SurfacingState &before, const StrokeSet &strokes, const StrokeDifference &change,
                       const StrokeUpdateOptions &options)
 {
@@ -140,16 +173,16 @@ Result<StrokeUpdate> updateStrokes(const SurfacingState &before, const StrokeSet
     Stopwatch watch;
     StrokeDifference change = differenceBetween(before.sketch->input, strokes);
     StrokeUpdate update;
+    if (marksWhatWasFound(before, strokes)) {
+        update.state = withStrokes(before, strokes);
+        update.isSolved = true;
+        return update;
+    }
     update.refusal = refusalOf(before, strokes, change, options);
     if (!update.refusal.empty())
         return update;
 
-    SurfacingState state = before;
-    auto sketch = std::make_shared<PreparedSketch>(*before.sketch);
-    sketch->input = strokes;
-    sketch->strokes = strokesInFrame(strokes, *sketch, state.options);
-    sketch->warnings.clear();
-    state.sketch = std::move(sketch);
+    SurfacingState state = withStrokes(before, strokes);
     change = {solvedHalf(state, change.removed), solvedHalf(state, change.added)};
     std::vector<Vec3> changed = unitPoints(state, change.added);
     const Reach reach = reachOf(state, changed, options.attractFrom);

@@ -17,6 +17,7 @@ struct StrokeUpdateOptions
 struct StrokeUpdate
 {
     std::optional<SurfacingState> state; // labels up to date; preview and surface are those of before
+    bool isSolved = false;               // state has all of before: no stroke moved what was solved
     std::string refusal;                 // where there is no state: why all must be surfaced anew, a clause
 };
 

@@ -115,6 +115,7 @@ private slots:
     void strokeOutOfReachIsAFullRun();
     void otherProxyIsAFullRun();
     void cancelledUpdateSaysSo();
+    void markingTheFoundBorderSolvesNothing();
 };
 
 void StrokeUpdateTest::drawnFeatureStrokeBecomesACrease()
@@ -291,6 +292,37 @@ void StrokeUpdateTest::cancelledUpdateSaysSo()
         resurface(houseWithoutRidge(), houseSketch().with, false, {}, JobControl(&cancelled, {}));
     QVERIFY(!result.ok());
     QVERIFY(result.error().isCancelled());
+}
+
+void StrokeUpdateTest::markingTheFoundBorderSolvesNothing()
+{
+    SurfacingRequest request = quickRequest();
+    request.strokes = synthesizeSketch(saddle(), {}).strokes;
+    for (Stroke &stroke : request.strokes.strokes)
+        stroke.role = StrokeRole::Surface;
+    const SurfacingState before = solved({}, request);
+    const StrokeSet &found = before.proxy->borderStrokes;
+    QVERIFY(!found.strokes.empty());
+    const auto mark = [&](std::size_t leftOut) {
+        StrokeSet marked = request.strokes;
+        for (Stroke &stroke : marked.strokes)
+            for (std::size_t f = leftOut; f < found.strokes.size(); ++f)
+                if (found.strokes[f].id == stroke.id)
+                    stroke.role = StrokeRole::Boundary;
+        return marked;
+    };
+    SurfacingRequest all = request;
+    all.strokes = mark(0);
+    const SurfacingState after = solved(before, all);
+    QVERIFY(after.surface == before.surface);
+    QVERIFY(!saysSurfacedAnew(after));
+    QCOMPARE(after.sketch->input.strokes.size(), all.strokes.strokes.size());
+    // Had it been solved with the marks from the start, it would be the same surface.
+    QVERIFY(solved({}, all).surface->mesh.vertices == before.surface->mesh.vertices);
+
+    SurfacingRequest some = request;
+    some.strokes = mark(1);
+    QVERIFY2(solved(before, some).surface != before.surface, "another border is another surface");
 }
 
 QTEST_GUILESS_MAIN(StrokeUpdateTest)
