@@ -2,59 +2,18 @@
 
 #include "document/commands/change_value.h"
 #include "layerpainter/document/default_view.h"
+#include "layerpainter/ui/panels/blend_names.h"
+#include "layerpainter/ui/panels/mask_list.h"
 #include "widgets/controls/number_slider.h"
 #include "widgets/theme/icons.h"
 
 #include <QComboBox>
-#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 namespace ductus {
-
-namespace {
-
-QString blendText(BlendMode mode)
-{
-    static const char *texts[blendModeCount] = {QT_TRANSLATE_NOOP("ductus::LayerPanel", "Normal"),
-                                                QT_TRANSLATE_NOOP("ductus::LayerPanel", "Multiply"),
-                                                QT_TRANSLATE_NOOP("ductus::LayerPanel", "Screen"),
-                                                QT_TRANSLATE_NOOP("ductus::LayerPanel", "Overlay"),
-                                                QT_TRANSLATE_NOOP("ductus::LayerPanel", "Add"),
-                                                QT_TRANSLATE_NOOP("ductus::LayerPanel", "Darken"),
-                                                QT_TRANSLATE_NOOP("ductus::LayerPanel", "Lighten"),
-                                                QT_TRANSLATE_NOOP("ductus::LayerPanel", "Colour dodge"),
-                                                QT_TRANSLATE_NOOP("ductus::LayerPanel", "Colour burn"),
-                                                QT_TRANSLATE_NOOP("ductus::LayerPanel", "Hard light"),
-                                                QT_TRANSLATE_NOOP("ductus::LayerPanel", "Soft light"),
-                                                QT_TRANSLATE_NOOP("ductus::LayerPanel", "Difference"),
-                                                QT_TRANSLATE_NOOP("ductus::LayerPanel", "Exclusion"),
-                                                QT_TRANSLATE_NOOP("ductus::LayerPanel", "Hue"),
-                                                QT_TRANSLATE_NOOP("ductus::LayerPanel", "Saturation"),
-                                                QT_TRANSLATE_NOOP("ductus::LayerPanel", "Colour"),
-                                                QT_TRANSLATE_NOOP("ductus::LayerPanel", "Luminosity")};
-    return LayerPanel::tr(texts[int(mode)]);
-}
-
-QString maskText(const Mask &mask)
-{
-    switch (mask.shape.index()) {
-    case 0:
-        return std::get<GradientMask>(mask.shape).shape == GradientMask::Shape::Linear
-                   ? LayerPanel::tr("Gradient")
-                   : LayerPanel::tr("Round gradient");
-    case 1:
-        return LayerPanel::tr("Noise");
-    case 2:
-        return LayerPanel::tr("Texture");
-    default:
-        return LayerPanel::tr("Strokes of a layer");
-    }
-}
-
-} // namespace
 
 LayerPanel::LayerPanel(PaintingDocument &document, QWidget *parent)
     : QWidget(parent), mDocument(document), mTree(new LayerTree(document))
@@ -123,8 +82,8 @@ void LayerPanel::buildProperties(QVBoxLayout *layout)
         tr("Reach"), {0, 1, 0.01, 0, 3, {}},
         tr("Tolerance: how far from its strokes the layer still colours. 0: only inside them."));
     rows->addWidget(mTolerance);
-    mMasks = new QVBoxLayout;
-    rows->addLayout(mMasks);
+    mMasks = new MaskList(mDocument);
+    rows->addWidget(mMasks);
     layout->addWidget(mAppearance);
 
     for (NumberSlider *slider : {mOpacity, mTolerance})
@@ -166,44 +125,7 @@ void LayerPanel::refresh()
         mTolerance->range().maximum < 0.25 * most)
         mTolerance->setRange({0, most, most / 100, 0, 3, {}});
     mTolerance->setValue(layer->tolerance);
-    fillMasks(*layer);
-}
-
-void LayerPanel::fillMasks(const Layer &layer)
-{
-    while (QLayoutItem *item = mMasks->takeAt(0)) {
-        if (item->widget())
-            item->widget()->deleteLater();
-        delete item;
-    }
-    for (std::size_t i = 0; i < layer.properties.masks.size(); ++i) {
-        const Mask &mask = layer.properties.masks[i];
-        auto *chip = new QToolButton;
-        chip->setText(maskText(mask));
-        chip->setIcon(icon(QStringLiteral("gradient")));
-        chip->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-        chip->setCheckable(true);
-        chip->setChecked(mask.enabled);
-        chip->setToolTip(
-            tr("Mask of the layer. Click: on and off. With Shift: inside out. With Ctrl: remove."));
-        connect(chip, &QToolButton::clicked, this, [this, i, id = layer.id] {
-            const Layer *now = mDocument.painting().findLayer(id);
-            if (!now || i >= now->properties.masks.size())
-                return;
-            act::SetProperties edit;
-            edit.layer = id;
-            edit.masks = now->properties.masks;
-            const Qt::KeyboardModifiers keys = QGuiApplication::keyboardModifiers();
-            if (keys & Qt::ControlModifier)
-                edit.masks->erase(edit.masks->begin() + std::ptrdiff_t(i));
-            else if (keys & Qt::ShiftModifier)
-                (*edit.masks)[i].inverted = !(*edit.masks)[i].inverted;
-            else
-                (*edit.masks)[i].enabled = !(*edit.masks)[i].enabled;
-            (void)mDocument.perform(edit);
-        });
-        mMasks->addWidget(chip);
-    }
+    mMasks->setLayer(id);
 }
 
 void LayerPanel::addStack()

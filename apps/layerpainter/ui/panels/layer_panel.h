@@ -10,6 +10,7 @@ class QVBoxLayout;
 
 namespace ductus {
 
+class MaskList;
 class NumberSlider;
 
 class LayerPanel : public QWidget
@@ -28,7 +29,6 @@ private:
     void buildProperties(QVBoxLayout *layout);
     QToolButton *button(const QString &icon, const QString &name, const QString &teaches);
     void refresh();
-    void fillMasks(const Layer &layer);
 
     PaintingDocument &mDocument;
     LayerTree *mTree;
@@ -36,7 +36,7 @@ private:
     QComboBox *mBlend;
     NumberSlider *mTolerance;
     QWidget *mAppearance; // what only appearance layers have
-    QVBoxLayout *mMasks;
+    MaskList *mMasks;
     quint64 mDrag = 0;
 };
 

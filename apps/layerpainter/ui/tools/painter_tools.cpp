@@ -48,8 +48,34 @@ void PaintTool::press(PaintingView &view, const CanvasPointer &pointer)
 void PaintTool::move(PaintingView &view, const CanvasPointer &pointer)
 {
     mPosition = pointer.position;
-    if (mBase)
+    if (!mBase)
+        return;
+    if (pointer.modifiers & Qt::ShiftModifier)
+        straighten(view, pointer);
+    else
         add(view, pointer);
+}
+
+// With Shift the stroke is a straight line from where it began to the pointer.
+void PaintTool::straighten(PaintingView &view, const CanvasPointer &pointer)
+{
+    mStroke.points.resize(1);
+    mDepth = mStroke.points.front().position.cast<double>();
+    PaintedPoint end = mStroke.points.front();
+    const bool growsShape = isSubstrate(*mBase, mBrush.layer);
+    const Vec3 at = mBrush.onSurface && !growsShape ? placeAt(view, pointer.position, mDepth)
+                                                    : view.camera().onPlane(pointer.position, mDepth);
+    end.position = at.cast<float>();
+    // As many points as a stroke by hand has, so that the eraser and gradients of width find some.
+    constexpr int steps = 16;
+    const PaintedPoint begin = mStroke.points.front();
+    for (int i = 1; i <= steps; ++i) {
+        PaintedPoint between = end;
+        between.position = begin.position + float(i) / steps * (end.position - begin.position);
+        mStroke.points.push_back(between);
+    }
+    if (auto preview = previewOf(*mBase, action()))
+        view.setPreview(std::move(preview));
 }
 
 void PaintTool::add(PaintingView &view, const CanvasPointer &pointer)
@@ -146,13 +172,12 @@ void EraseTool::cutParts(PaintingView &view)
         std::max(4.0, mBrush.halfWidth / view.camera().unitsPerPixel(view.camera().pivot()));
     const Layer *layer = mDocument.painting().findLayer(mBrush.layer);
     std::vector<act::Cut> cuts;
-    for (const Element &element : layer->drawingAt(0).elements) {
-        const auto *stroke = std::get_if<StrokeShape>(element.shape.get());
-        if (!stroke || std::ranges::find(mTouched, element.id) == mTouched.end())
+    for (const auto &[element, place] : view.shownElements(*layer)) {
+        const auto *stroke = std::get_if<StrokeShape>(element->shape.get());
+        if (!stroke || std::ranges::find(mTouched, element->id) == mTouched.end())
             continue;
         act::Cut cut;
-        cut.element = element.id;
-        const Eigen::Affine3d place = element.placement.matrix();
+        cut.element = element->id;
         const double end = double(stroke->points.size()) - 1;
         constexpr double step = 0.125; // of the way between two points
         std::optional<double> begun;
@@ -216,6 +241,9 @@ void SelectTool::press(PaintingView &view, const CanvasPointer &pointer)
         chosen = view.selection();
     if (!hit) {
         mBox = QRectF(pointer.position, QSizeF(0, 0));
+        mLasso.clear();
+        if (pointer.modifiers & Qt::ControlModifier)
+            mLasso << pointer.position;
     } else if (const auto found = std::ranges::find(chosen, *hit); found != chosen.end()) {
         chosen.erase(found);
     } else {
@@ -226,32 +254,43 @@ void SelectTool::press(PaintingView &view, const CanvasPointer &pointer)
 
 void SelectTool::move(PaintingView &, const CanvasPointer &pointer)
 {
-    if (mBox)
-        mBox->setBottomRight(pointer.position);
+    if (!mBox)
+        return;
+    mBox->setBottomRight(pointer.position);
+    if (!mLasso.isEmpty())
+        mLasso << pointer.position;
+}
+
+bool SelectTool::isInside(const QPointF &position) const
+{
+    return mLasso.isEmpty() ? mBox->normalized().contains(position)
+                            : mLasso.containsPoint(position, Qt::OddEvenFill);
 }
 
 void SelectTool::release(PaintingView &view, const CanvasPointer &pointer)
 {
     if (!mBox)
         return;
-    const QRectF box = mBox->normalized();
-    mBox.reset();
+    const QRectF box = mLasso.isEmpty() ? mBox->normalized() : mLasso.boundingRect();
     const Layer *layer = mDocument.painting().findLayer(mBrush.layer);
-    if (!layer || box.width() < 3 || box.height() < 3)
+    if (!layer || box.width() < 3 || box.height() < 3) {
+        mBox.reset();
         return;
+    }
     std::vector<ElementId> chosen;
     if (pointer.modifiers & Qt::ShiftModifier)
         chosen = view.selection();
-    for (const Element &element : layer->drawingAt(0).elements) {
-        const auto *stroke = std::get_if<StrokeShape>(element.shape.get());
-        const auto isInside = [&](const PaintedPoint &point) {
-            const auto at = view.camera().project(element.placement.matrix() * point.position.cast<double>());
-            return at && box.contains(*at);
+    for (const auto &[element, place] : view.shownElements(*layer)) {
+        const auto *stroke = std::get_if<StrokeShape>(element->shape.get());
+        const auto isMeant = [this, &view, &place = place](const PaintedPoint &point) {
+            const auto at = view.camera().project(place * point.position.cast<double>());
+            return at && isInside(*at);
         };
-        if (stroke && std::ranges::any_of(stroke->points, isInside) &&
-            std::ranges::find(chosen, element.id) == chosen.end())
-            chosen.push_back(element.id);
+        if (stroke && std::ranges::any_of(stroke->points, isMeant) &&
+            std::ranges::find(chosen, element->id) == chosen.end())
+            chosen.push_back(element->id);
     }
+    mBox.reset();
     view.setSelection(std::move(chosen));
 }
 
@@ -270,50 +309,10 @@ void SelectTool::draw(PaintingView &view, QPainter &painter)
     painter.setPen(accent);
     accent.setAlpha(40);
     painter.setBrush(accent);
-    painter.drawRect(mBox->normalized());
-}
-
-void MoveTool::press(PaintingView &view, const CanvasPointer &pointer)
-{
-    if (view.selection().empty()) {
-        const auto picked = view.pick(pointer.position);
-        if (!picked)
-            return;
-        view.setSelection({picked->element});
-    }
-    mFrom = placeAt(view, pointer.position, view.camera().pivot());
-}
-
-act::Transform MoveTool::action(PaintingView &view, const QPointF &to) const
-{
-    Placement change;
-    change.translation = view.camera().onPlane(to, *mFrom) - *mFrom;
-    return {view.selection(), change};
-}
-
-void MoveTool::move(PaintingView &view, const CanvasPointer &pointer)
-{
-    if (mFrom)
-        view.setPreview(previewOf(mDocument.painting(), action(view, pointer.position)));
-}
-
-void MoveTool::release(PaintingView &view, const CanvasPointer &pointer)
-{
-    if (!mFrom)
-        return;
-    const act::Transform change = action(view, pointer.position);
-    mFrom.reset();
-    view.setPreview(nullptr);
-    if (!(change.change == Placement()))
-        (void)mDocument.perform(change);
-}
-
-bool MoveTool::cancel(PaintingView &view)
-{
-    const bool had = mFrom.has_value();
-    mFrom.reset();
-    view.setPreview(nullptr);
-    return had;
+    if (mLasso.isEmpty())
+        painter.drawRect(mBox->normalized());
+    else
+        painter.drawPolygon(mLasso);
 }
 
 void GradientTool::press(PaintingView &view, const CanvasPointer &pointer)

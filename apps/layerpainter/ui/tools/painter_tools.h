@@ -3,6 +3,8 @@
 
 #include "layerpainter/ui/view/painting_view.h"
 
+#include <QPolygonF>
+
 namespace ductus {
 
 /// What the next stroke is painted with, and where; shared by tools and panels.
@@ -27,6 +29,7 @@ public:
 
 private:
     void add(PaintingView &view, const CanvasPointer &pointer);
+    void straighten(PaintingView &view, const CanvasPointer &pointer);
     act::Draw action() const;
 
     PaintingDocument &mDocument;
@@ -58,7 +61,8 @@ private:
     bool mIsActive = false;
 };
 
-/// A click chooses a stroke, Shift adds, a drag from nowhere chooses what lies in the box.
+/// A click chooses a stroke, Shift adds, a drag from nowhere chooses what lies in the box, with Ctrl what
+/// lies inside the drawn line.
 class SelectTool : public CanvasTool
 {
 public:
@@ -73,25 +77,23 @@ public:
 private:
     PaintingDocument &mDocument;
     const BrushState &mBrush;
+    bool isInside(const QPointF &position) const;
+
     std::optional<QRectF> mBox;
+    QPolygonF mLasso; // instead of the box, if it has points
 };
 
-/// Moves the chosen strokes in the plane that faces the eye.
-class MoveTool : public CanvasTool
+/// A click asks which layers colour what is there.
+class InspectTool : public CanvasTool
 {
 public:
-    explicit MoveTool(PaintingDocument &document) : mDocument(document) {}
-    void press(PaintingView &view, const CanvasPointer &pointer) override;
-    void move(PaintingView &view, const CanvasPointer &pointer) override;
-    void release(PaintingView &view, const CanvasPointer &pointer) override;
-    bool cancel(PaintingView &view) override;
-    Qt::CursorShape cursor() const override { return Qt::SizeAllCursor; }
+    void setAsk(std::function<void(const QPointF &)> ask) { mAsk = std::move(ask); }
+    void press(PaintingView &, const CanvasPointer &pointer) override { mAsk(pointer.position); }
+    void move(PaintingView &, const CanvasPointer &) override {}
+    void release(PaintingView &, const CanvasPointer &) override {}
 
 private:
-    act::Transform action(PaintingView &view, const QPointF &to) const;
-
-    PaintingDocument &mDocument;
-    std::optional<Vec3> mFrom;
+    std::function<void(const QPointF &)> mAsk;
 };
 
 /// A drag gives the active appearance layer a gradient: full where it begins, nothing where it ends.

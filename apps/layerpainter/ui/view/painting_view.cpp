@@ -1,6 +1,7 @@
 #include "layerpainter/ui/view/painting_view.h"
 
 #include "layerpainter/document/default_view.h"
+#include "painting/scene/element_placement.h"
 
 #include <QMouseEvent>
 #include <QOpenGLContext>
@@ -14,6 +15,15 @@
 #include <unordered_set>
 
 namespace ductus {
+
+namespace {
+
+// What nobody sees is left out: strokes smaller than half a pixel, points that matter less. While something
+// moves pixels are larger, and so is what may be left out of them.
+constexpr RenderOptions stillDetail{1, false, 0.5, 0.25};
+constexpr RenderOptions movingDetail{1, false, 1.0, 1.0};
+
+} // namespace
 
 /// Outlines and the tool's marks: a widget on top, so that the painting need not be drawn again for them.
 class PaintingView::Overlay : public QWidget
@@ -77,13 +87,36 @@ PaintingView::~PaintingView()
 void PaintingView::frameAll()
 {
     const double aspect = mCamera.viewport().width() / mCamera.viewport().height();
-    const CameraKey key = defaultView(mDocument.painting(), 0, aspect);
+    const CameraKey key = defaultView(mDocument.painting(), mSeconds, aspect);
     const Box3 box = paintingBox(mDocument.painting());
     const Vec3 way = key.rotation * -Vec3::UnitZ();
     const double depth = box.isEmpty() ? 3 : (box.centre() - key.eye).dot(way);
     mCamera.set(key, std::max(depth, 0.05 * std::max(box.diagonal(), 1e-3)));
     changedView();
     emit framed();
+}
+
+void PaintingView::setSeconds(double seconds, bool followCamera)
+{
+    if (seconds == mSeconds)
+        return;
+    mSeconds = seconds;
+    const Painting &painting = mDocument.painting();
+    if (followCamera && !painting.camera.keys.empty()) {
+        const double distance = (mCamera.pivot() - mCamera.eye()).norm();
+        mCamera.set(cameraAt(painting.camera, loopedTime(seconds, painting.loopSeconds)), distance);
+        emit viewMoved();
+    }
+    movedView();
+}
+
+std::vector<std::pair<const Element *, Eigen::Affine3d>> PaintingView::shownElements(const Layer &layer) const
+{
+    const ElementPlacements placements(mDocument.painting(), mSeconds);
+    std::vector<std::pair<const Element *, Eigen::Affine3d>> shown;
+    for (const Element &element : layer.drawingAt(placements.timeSeconds()).elements)
+        shown.emplace_back(&element, placements.sceneFromElement(layer, element).matrix());
+    return shown;
 }
 
 void PaintingView::setTool(CanvasTool *tool)
@@ -120,6 +153,11 @@ void PaintingView::setSelection(std::vector<ElementId> selection)
 void PaintingView::setHoveredLayer(std::optional<LayerId> layer)
 {
     mHovered = layer;
+    mOverlay->update();
+}
+
+void PaintingView::updateMarks()
+{
     mOverlay->update();
 }
 
@@ -188,8 +226,9 @@ void PaintingView::paintGL()
     clock.start();
     const int w = qRound(width() * devicePixelRatioF()), h = qRound(height() * devicePixelRatioF());
     const Painting &painting = mPreview ? *mPreview : mDocument.painting();
-    Result<void> drawn = mRenderer->update(painting, {});
+    Result<void> drawn = mRenderer->update(painting, {mSeconds, {}});
     mDrawnDivisor = mPace.divisor();
+    mRenderer->setOptions(mPace.isMoving() ? movingDetail : stillDetail);
     if (drawn)
         drawn = drawFrame(w, h, mDrawnDivisor);
     if (!drawn)
@@ -225,6 +264,7 @@ std::optional<PickedPoint> PaintingView::pick(const QPointF &position)
         if (!mPixel)
             mPixel = std::make_unique<QOpenGLFramebufferObject>(1, 1);
         const RenderView view{part, mPixel->handle(), 0, 0, 1, 1};
+        mRenderer->setOptions(stillDetail);
         if (!mRenderer->render({&view, 1})) {
             doneCurrent();
             return std::nullopt;
@@ -242,11 +282,10 @@ std::optional<ElementId> PaintingView::strokeNear(const QPointF &position, Layer
     if (!layer)
         return std::nullopt;
     std::optional<ElementId> best;
-    for (const Element &element : layer->drawingAt(0).elements) {
-        const auto *stroke = std::get_if<StrokeShape>(element.shape.get());
+    for (const auto &[element, place] : shownElements(*layer)) {
+        const auto *stroke = std::get_if<StrokeShape>(element->shape.get());
         if (!stroke)
             continue;
-        const Eigen::Affine3d place = element.placement.matrix();
         std::optional<QPointF> last;
         for (const PaintedPoint &point : stroke->points) {
             const auto at = mCamera.project(place * point.position.cast<double>());
@@ -259,7 +298,7 @@ std::optional<ElementId> PaintingView::strokeNear(const QPointF &position, Layer
                 const double distance = QLineF(position, from + t * along).length();
                 if (distance <= reach) { // the later of two is on top
                     reach = distance;
-                    best = element.id;
+                    best = element->id;
                 }
             }
             last = at;
@@ -274,12 +313,11 @@ QImage PaintingView::picture()
     return mFrameCount > 0 && !mDocument.isEmpty() ? grabFramebuffer() : QImage();
 }
 
-void PaintingView::traceElement(QPainter &painter, const Element &element) const
+void PaintingView::traceElement(QPainter &painter, const Element &element, const Eigen::Affine3d &place) const
 {
     const auto *stroke = std::get_if<StrokeShape>(element.shape.get());
     if (!stroke)
         return;
-    const Eigen::Affine3d place = element.placement.matrix();
     QPolygonF line;
     for (const PaintedPoint &point : stroke->points)
         if (const auto at = mCamera.project(place * point.position.cast<double>()))
@@ -291,13 +329,19 @@ void PaintingView::drawOverlay(QPainter &painter)
 {
     const Painting &painting = mPreview ? *mPreview : mDocument.painting();
     const QColor accent = palette().color(QPalette::Highlight);
+    if (!mHovered && mSelection.empty()) { // nothing to outline: large paintings cost time here
+        if (mTool)
+            mTool->draw(*this, painter);
+        return;
+    }
+    const ElementPlacements placements(painting, mSeconds);
     const auto trace = [&](auto isWanted) {
         for (const auto &[colour, width] : {std::pair(QColor(0, 0, 0, 150), 3.5), std::pair(accent, 1.6)}) {
             painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
             for (const Layer *layer : painting.layers())
-                for (const Element &element : layer->drawingAt(0).elements)
+                for (const Element &element : layer->drawingAt(placements.timeSeconds()).elements)
                     if (isWanted(*layer, element))
-                        traceElement(painter, element);
+                        traceElement(painter, element, placements.sceneFromElement(*layer, element).matrix());
         }
     };
     if (mHovered) {
@@ -337,9 +381,10 @@ void PaintingView::mouseMoveEvent(QMouseEvent *event)
         mCamera.orbit(by);
     else if (mDrag == Drag::Pan)
         mCamera.pan(by);
-    if (mDrag == Drag::Orbit || mDrag == Drag::Pan)
+    if (mDrag == Drag::Orbit || mDrag == Drag::Pan) {
         movedView();
-    else if (mTool)
+        emit viewMoved();
+    } else if (mTool)
         mTool->move(*this, {event->position(), 1, event->modifiers()});
     mOverlay->update();
     if (mDrag == Drag::None)
@@ -382,6 +427,7 @@ void PaintingView::wheelEvent(QWheelEvent *event)
 {
     mCamera.zoom(std::pow(0.9988, event->angleDelta().y()), event->position());
     movedView();
+    emit viewMoved();
 }
 
 void PaintingView::leaveEvent(QEvent *)

@@ -28,6 +28,12 @@ public:
     /// The painting's camera, or all of it.
     void frameAll();
 
+    /// The moment that is shown. \a followCamera: the view goes along the painting's camera path.
+    void setSeconds(double seconds, bool followCamera);
+    double seconds() const { return mSeconds; }
+    /// Strokes and meshes of \a layer shown at that moment, and where they stand in the scene.
+    std::vector<std::pair<const Element *, Eigen::Affine3d>> shownElements(const Layer &layer) const;
+
     /// Not owned; null: the left button turns the view.
     void setTool(CanvasTool *tool);
     bool cancelTool();
@@ -38,6 +44,8 @@ public:
     void setSelection(std::vector<ElementId> selection);
     const std::vector<ElementId> &selection() const { return mSelection; }
     void setHoveredLayer(std::optional<LayerId> layer);
+    /// Draws outlines and the tool's marks anew, not the painting.
+    void updateMarks();
 
     /// What is seen there, exact to the pixel of the window however coarse it is drawn; nothing on the
     /// background.
@@ -59,6 +67,7 @@ signals:
     void selectionChanged();
     void pointerMoved(const QPointF &position);
     void framed();
+    void viewMoved();
 
 protected:
     void initializeGL() override;
@@ -77,7 +86,7 @@ private:
 
     void releaseGraphics();
     void drawOverlay(QPainter &painter);
-    void traceElement(QPainter &painter, const Element &element) const;
+    void traceElement(QPainter &painter, const Element &element, const Eigen::Affine3d &place) const;
     void changedView();
     void movedView();
     Result<void> drawFrame(int width, int height, int divisor);
@@ -93,6 +102,7 @@ private:
     std::function<double(double)> mPressure;
     Drag mDrag = Drag::None;
     QPointF mLast;
+    double mSeconds = 0;
     int mFrameCount = 0;
     double mLastFrameMilliseconds = 0;
     FramePace mPace;

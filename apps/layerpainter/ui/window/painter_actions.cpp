@@ -24,6 +24,13 @@ void PainterWindow::addActions()
              {QKeySequence::Open},
              file},
             [this] { chooseAndOpen(); });
+    all.add({"file.import",
+             tr("&Import into painting..."),
+             tr("The strokes of another painting or a mesh join this one; dropping a file does the same."),
+             "document-import",
+             {QKeySequence("Ctrl+Shift+O")},
+             file},
+            [this] { chooseImport(); });
     all.add({"file.start",
              tr("S&tart page"),
              tr("Shows samples and recent files; the painting stays open."),
@@ -55,6 +62,20 @@ void PainterWindow::addActions()
              {QKeySequence("Ctrl+E")},
              file},
             [this] { chooseExport(); });
+    all.add({"file.film",
+             tr("Export &film..."),
+             tr("A turntable, the camera path or the motion as MP4, WebM, GIF or pictures."),
+             "media-playback-start",
+             {QKeySequence("Ctrl+Shift+E")},
+             file},
+            [this] { chooseFilm(); });
+    all.add({"file.mesh",
+             tr("Export &mesh..."),
+             tr("A GLB file whose vertices have the colours of all layers, for the web."),
+             "document-send",
+             {},
+             file},
+            [this] { chooseMesh(); });
     all.add({"file.log",
              tr("Save action &log..."),
              tr("Everything done so far, a line each; layerpainter replay plays it again."),
@@ -158,6 +179,31 @@ void PainterWindow::addActions()
              {QKeySequence("F"), QKeySequence("Home")},
              view},
             [this] { mView->frameAll(); });
+    ActionSpec motion{"view.motion",   tr("&Motion"),       tr("Shows the timeline of motion and camera."),
+                      "keyframe-next", {QKeySequence("T")}, view};
+    motion.isCheckable = true;
+    all.add(motion, [this] { setMotionShown(!mMotion->isVisible()); });
+    all.add({"motion.play",
+             tr("&Play"),
+             tr("Plays motion, drawings and camera path; again stops."),
+             "media-playback-start",
+             {QKeySequence("Space")},
+             view},
+            [this] {
+                if (!mMotion->isVisible())
+                    setMotionShown(true);
+                mMotion->setPlaying(!mMotion->isPlaying());
+            });
+    all.add({"motion.keepView",
+             tr("&Keep view as key"),
+             tr("Where you look from becomes a key of the camera path at the present time."),
+             "keyframe-add",
+             {QKeySequence("K")},
+             view},
+            [this] {
+                setMotionShown(true);
+                mMotion->keepView();
+            });
     all.add({"brush.larger",
              tr("&Larger brush"),
              tr("Wider strokes."),
@@ -185,14 +231,16 @@ void PainterWindow::addToolActions()
     const Tool tools[] = {
         {"tool.orbit", tr("&Turn view"), tr("Drag turns the view. With other tools: the right button."),
          tr("Drag to turn, wheel to zoom, middle button or Shift to pan."), "view-refresh", "O"},
-        {"tool.select", tr("&Select"), tr("A click chooses a stroke, Shift adds, a drag chooses a box."),
+        {"tool.select", tr("&Select"),
+         tr("A click chooses a stroke, Shift adds, a drag chooses a box, with Ctrl a lasso."),
          tr("Click a stroke, or drag a box over strokes of the active layer. Ctrl+D copies them into the "
             "active layer."),
          "select", "V"},
-        {"tool.move", tr("&Move"), tr("Drags the chosen strokes."),
-         tr("Drag the chosen strokes; they move in the plane that faces you."), "transform-move", "G"},
+        {"tool.move", tr("&Move"), tr("Moves, turns and scales the chosen strokes."),
+         tr("Drag the chosen strokes; the ring turns them (with Shift upright), the square scales them."),
+         "transform-move", "G"},
         {"tool.paint", tr("&Paint"), tr("Paints into the active layer: a shape in stacks, colour in layers."),
-         tr("Paint on the surface or in the air. [ and ] change the size, a pen's pressure the width."),
+         tr("Paint on the surface or in the air. Shift draws straight, [ and ] change the size."),
          "draw-freehand", "B"},
         {"tool.erase", tr("&Erase"),
          tr("Takes strokes of the active layer away; with Shift only the touched parts."),
@@ -200,7 +248,10 @@ void PainterWindow::addToolActions()
          "E"},
         {"tool.gradient", tr("&Gradient"), tr("Fades the active layer along a drag."),
          tr("Drag from where the layer is full to where it fades out. With Shift around a point."),
-         "gradient", "D"}};
+         "gradient", "D"},
+        {"tool.inspect", tr("&What colours this"), tr("A click lists the layers that colour a point."),
+         tr("Click on the painting: the list shows which layers colour this point, the topmost first."),
+         "color-picker", "I"}};
     mToolActions = new QActionGroup(this);
     for (std::size_t i = 0; i < std::size(tools); ++i) {
         const Tool &tool = tools[i];
@@ -223,8 +274,8 @@ void PainterWindow::fillMenus()
             list << actions().action(QLatin1String(id));
         return list;
     };
-    addToMenu(fileMenu(), named({"file.new", "file.open", "file.start", "file.save", "file.saveAs",
-                                 "file.export", "file.log"}));
+    addToMenu(fileMenu(), named({"file.new", "file.open", "file.import", "file.start", "file.save",
+                                 "file.saveAs", "file.export", "file.film", "file.mesh", "file.log"}));
     addToMenu(editMenu(), named({"edit.selectLayer", "edit.duplicate", "edit.toLayer", "edit.recolour",
                                  "edit.delete", "edit.escape"}));
     QMenu *layer = menu(tr("&Layer"));
@@ -232,7 +283,7 @@ void PainterWindow::fillMenus()
         named({"layer.addStack", "layer.add", "layer.duplicate", "layer.rename", "layer.remove"}));
     QMenu *brush = menu(tr("&Brush"));
     brush->addActions(named({"brush.larger", "brush.smaller"}));
-    addToMenu(viewMenu(), named({"view.frame"}));
+    addToMenu(viewMenu(), named({"view.frame", "view.motion", "motion.play", "motion.keepView"}));
 }
 
 } // namespace ductus

@@ -1,6 +1,7 @@
 // Opening, saving, importing and exporting in LayerPainter's window.
 #include "document/document_files.h"
 #include "document/project_picture.h"
+#include "layerpainter/document/import_into.h"
 #include "layerpainter/document/painting_project.h"
 #include "layerpainter/ui/window/painter_window.h"
 #include "painting/edit/layer_edits.h"
@@ -105,6 +106,48 @@ void PainterWindow::openPath(const QString &path)
         });
 }
 
+void PainterWindow::chooseImport()
+{
+    const QString path = QFileDialog::getOpenFileName(
+        this, tr("Import"), QFileInfo(mRecent.paths().value(0)).path(),
+        tr("Paintings and meshes (*.quill Quill.json *.tilt *.obj *.ply *.stl *.off *.glb);;Surfaces of "
+           "SketchSurfacer (*.ductus)"));
+    if (!path.isEmpty())
+        importPath(path);
+}
+
+void PainterWindow::importPath(const QString &path)
+{
+    jobs().start<ImportedFile>(
+        {QStringLiteral("import"), tr("Reading %1").arg(QFileInfo(path).fileName()), false, true, true}, this,
+        [path](const JobControl &control) { return importFile(enginePath(path), {}, control); },
+        [this](Result<ImportedFile> file) {
+            if (!file) {
+                showError(file.error());
+                return;
+            }
+            const AddedImport added = addImported(mPainting, *file);
+            showCanvas();
+            mView->frameAll();
+            QString what = tr("%n strokes joined the painting", nullptr, added.strokes) +
+                           tr(" in %n stacks.", nullptr, added.stacks);
+            if (added.leftFramesOut)
+                what += tr(" Of drawings frame by frame the first came along.");
+            messages()->success(what);
+        });
+}
+
+// Projects are opened; what else is dropped on a painting joins it.
+void PainterWindow::takeDropped(const QStringList &paths)
+{
+    const bool joins = !mPainting.isEmpty() && !isStartPageShown();
+    for (const QString &path : paths)
+        if (joins && !path.endsWith(QLatin1String(".ductus"), Qt::CaseInsensitive))
+            importPath(path);
+        else
+            openPath(path);
+}
+
 void PainterWindow::openSample(const QString &id)
 {
     if (!confirmLeaving())
@@ -207,25 +250,6 @@ void PainterWindow::saveTo(const QString &path, std::function<void(bool)> finish
         if (finish)
             finish(report.ok());
     });
-}
-
-void PainterWindow::chooseExport()
-{
-    const QString path = QFileDialog::getSaveFileName(
-        this, tr("Export picture"), mPainting.displayName() + QStringLiteral(".png"), tr("Pictures (*.png)"));
-    if (!path.isEmpty())
-        exportPicture(path);
-}
-
-void PainterWindow::exportPicture(const QString &path)
-{
-    const QImage image = mView->picture();
-    if (image.isNull() || !image.save(path, "PNG"))
-        showError({ErrorCode::WriteFailed, "Writing the picture",
-                   image.isNull() ? "nothing is shown yet" : "the file could not be written",
-                   image.isNull() ? "Open a painting first" : "Choose another folder", path.toStdString()});
-    else
-        messages()->success(tr("Exported to %1.").arg(QFileInfo(path).fileName()));
 }
 
 void PainterWindow::chooseLogFile()

@@ -3,6 +3,7 @@
 #include "document/recovery/state_folder.h"
 #include "document/settings/pressure_curve.h"
 #include "layerpainter/document/default_view.h"
+#include "layerpainter/film/film_plan.h"
 #include "painting/blend/blend.h"
 #include "widgets/controls/folding_section.h"
 #include "widgets/pages/tablet_page.h"
@@ -10,6 +11,7 @@
 
 #include <QActionGroup>
 #include <QStandardPaths>
+#include <QVBoxLayout>
 
 namespace ductus {
 
@@ -28,8 +30,8 @@ PainterWindow::PainterWindow(const ShellServices &services, QWidget *parent)
       mUnsaved(*this, mPainting, stateFolder(QStringLiteral("layerpainter"), QStringLiteral("autosave"))),
       mRecent(*services.settings,
               QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + QStringLiteral("/recent")),
-      mPaintTool(mPainting, mBrush), mEraseTool(mPainting, mBrush), mSelectTool(mPainting, mBrush),
-      mMoveTool(mPainting), mGradientTool(mPainting, mBrush)
+      mPointColours(*services.jobs), mPaintTool(mPainting, mBrush), mEraseTool(mPainting, mBrush),
+      mSelectTool(mPainting, mBrush), mMoveTool(mPainting), mGradientTool(mPainting, mBrush)
 {
     mView = new PaintingView(mPainting);
     mView->setProperty("helpTopic", "canvas");
@@ -39,7 +41,16 @@ PainterWindow::PainterWindow(const ShellServices &services, QWidget *parent)
     addToolActions();
     fillMenus();
     fillInspector();
-    setStrip(new LooksBar(mPainting));
+    auto *strip = new QWidget;
+    auto *rows = new QVBoxLayout(strip);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->setSpacing(0);
+    rows->addWidget(new LooksBar(mPainting));
+    mMotion = new MotionBar(mPainting, *mView);
+    rows->addWidget(mMotion);
+    setStrip(strip);
+    mColourList = new ColourList(mView);
+    setMotionShown(false);
     fillStartPage();
     connectParts();
     setTool(PainterTool::Orbit);
@@ -73,15 +84,24 @@ void PainterWindow::connectParts()
     });
     connect(mColours, &ColourPanel::colourChanged, this,
             [this](const QColor &colour) { mBrush.colour = linearOf(colour); });
-    connect(mBrushPanel, &BrushPanel::brushChanged, mView, qOverload<>(&QWidget::update));
+    connect(mBrushPanel, &BrushPanel::brushChanged, mView, &PaintingView::updateMarks);
     connect(&mPainting, &Document::changed, this, &PainterWindow::onDocumentChanged);
     connect(&mPainting, &PaintingDocument::refused, this,
             [this](const Error &error) { messages()->show(error); });
     connect(mView, &PaintingView::graphicsFailed, this, [this](const Error &error) { showError(error); });
     connect(mView, &PaintingView::pointerMoved, this, &PainterWindow::showPointerText);
-    connect(this, &MainWindowShell::filesDropped, this, [this](const QStringList &paths) {
-        for (const QString &path : paths)
-            openPath(path);
+    connect(this, &MainWindowShell::filesDropped, this, &PainterWindow::takeDropped);
+    mInspectTool.setAsk([this](const QPointF &position) { showColoursAt(position); });
+    connect(mView, &PaintingView::viewMoved, mColourList, &QWidget::hide);
+    connect(mColourList, &ColourList::layerChosen, this,
+            [this](LayerId layer) { mLayers->tree().choose(layer); });
+    connect(mColourList, &ColourList::layerHovered, this, [this](LayerId layer) {
+        mView->setHoveredLayer(layer.isValid() ? std::optional(layer) : std::nullopt);
+    });
+    connect(mColourList, &ColourList::colourTaken, this, [this](const QColor &colour) {
+        mColours->setColour(colour);
+        mBrush.colour = linearOf(colour);
+        mColourList->hide();
     });
     connect(&mUnsaved, &UnsavedWork::opened, this, &PainterWindow::showOpened);
     connect(&mUnsaved.autosave(), &Autosave::aboutToWrite, this,
@@ -104,8 +124,10 @@ void PainterWindow::setActiveLayer(LayerId layer)
 
 void PainterWindow::setTool(PainterTool tool)
 {
-    CanvasTool *tools[] = {nullptr, &mSelectTool, &mMoveTool, &mPaintTool, &mEraseTool, &mGradientTool};
+    CanvasTool *tools[] = {nullptr,     &mSelectTool,   &mMoveTool,   &mPaintTool,
+                           &mEraseTool, &mGradientTool, &mInspectTool};
     mTool = tool;
+    mColourList->hide();
     mView->setTool(tools[int(tool)]);
     QAction *action = mToolActions->actions().at(int(tool));
     action->setChecked(true);
@@ -119,6 +141,7 @@ void PainterWindow::onDocumentChanged(const ChangeEvent &event)
         mBrushPanel->setExtent(paintingBox(mPainting.painting()).diagonal());
         setTool(PainterTool::Orbit);
         setPointerText({});
+        setMotionShown(motionSeconds(mPainting.painting()) > 0);
         return;
     }
     if (change->elements && mTool == PainterTool::Paint)
@@ -142,6 +165,31 @@ void PainterWindow::showPointerText(const QPointF &position)
     const auto picked = mView->pick(position);
     const Stack *stack = picked ? mPainting.painting().findStack(picked->stack) : nullptr;
     setPointerText(stack ? QString::fromStdString(stack->name) : QString());
+}
+
+void PainterWindow::showColoursAt(const QPointF &position)
+{
+    const PaintRay ray = mView->camera().ray(position);
+    // Depth grows by one along it, as the layers' reach along the view is counted.
+    const Vec3 direction = ray.direction / ray.direction.dot(mView->camera().forward());
+    mPointColours.ask(
+        mPainting.sharedPainting(), mView->seconds(), ray.origin, direction,
+        [this, position, painting = mPainting.sharedPainting()](Result<std::optional<ColouredPoint>> point) {
+            if (!point)
+                showError(point.error());
+            else if (*point)
+                mColourList->show(*painting, **point, position.toPoint());
+            else
+                mColourList->hide();
+        });
+}
+
+void PainterWindow::setMotionShown(bool shown)
+{
+    mMotion->setVisible(shown);
+    actions().action(QStringLiteral("view.motion"))->setChecked(shown);
+    if (!shown)
+        mMotion->setPlaying(false);
 }
 
 void PainterWindow::deleteSelection()
@@ -168,6 +216,10 @@ void PainterWindow::duplicateSelection()
 
 void PainterWindow::escape()
 {
+    if (mColourList->isVisible()) {
+        mColourList->hide();
+        return;
+    }
     if (mView->cancelTool())
         return;
     if (!mView->selection().empty())

@@ -7,6 +7,9 @@
 #include "layerpainter/ui/panels/colour_panel.h"
 #include "layerpainter/ui/panels/layer_panel.h"
 #include "layerpainter/ui/panels/looks_bar.h"
+#include "layerpainter/ui/panels/motion_bar.h"
+#include "layerpainter/ui/point/colour_list.h"
+#include "layerpainter/ui/tools/transform_tool.h"
 #include "widgets/main_window_shell.h"
 #include "widgets/pages/unsaved_work.h"
 
@@ -14,7 +17,9 @@ class QActionGroup;
 
 namespace ductus {
 
-enum class PainterTool { Orbit, Select, Move, Paint, Erase, Gradient };
+struct FilmChoice;
+
+enum class PainterTool { Orbit, Select, Move, Paint, Erase, Gradient, Inspect };
 
 class PainterWindow : public MainWindowShell
 {
@@ -27,6 +32,8 @@ public:
     PaintingView &view() { return *mView; }
     LayerPanel &layers() { return *mLayers; }
     BrushState &brush() { return mBrush; }
+    MotionBar &motion() { return *mMotion; }
+    ColourList &colourList() { return *mColourList; }
     PainterTool tool() const { return mTool; }
     void setTool(PainterTool tool);
 
@@ -34,10 +41,15 @@ public:
     void openPath(const QString &path);
     void openSample(const QString &id);
     void newPainting();
+    /// The file's stacks join the painting that is open, as one step of the history.
+    void importPath(const QString &path);
     void save();
     void saveAs();
     /// Writes without a dialog.
     void exportPicture(const QString &path);
+    /// In the background; what is written or why not is told by a message.
+    void exportFilm(const QString &path, const FilmChoice &choice);
+    void exportMesh(const QString &path);
     void saveActionLog(const QString &path);
 
 protected:
@@ -51,7 +63,11 @@ private:
     void fillStartPage();
     void connectParts();
     void chooseAndOpen();
+    void chooseImport();
+    void takeDropped(const QStringList &paths);
     void chooseExport();
+    void chooseFilm();
+    void chooseMesh();
     void chooseLogFile();
     void openProject(const QString &path);
     void adopt(ImportedFile file, const QString &source);
@@ -64,6 +80,8 @@ private:
     void deleteSelection();
     void duplicateSelection();
     void showPointerText(const QPointF &position);
+    void showColoursAt(const QPointF &position);
+    void setMotionShown(bool shown);
     void escape();
 
     PaintingDocument mPainting;
@@ -74,13 +92,17 @@ private:
     LayerPanel *mLayers = nullptr;
     BrushPanel *mBrushPanel = nullptr;
     ColourPanel *mColours = nullptr;
+    MotionBar *mMotion = nullptr;
+    ColourList *mColourList = nullptr;
+    PointColours mPointColours;
     QActionGroup *mToolActions = nullptr;
     PainterTool mTool = PainterTool::Orbit;
     PaintTool mPaintTool;
     EraseTool mEraseTool;
     SelectTool mSelectTool;
-    MoveTool mMoveTool;
+    TransformTool mMoveTool;
     GradientTool mGradientTool;
+    InspectTool mInspectTool;
 };
 
 } // namespace ductus

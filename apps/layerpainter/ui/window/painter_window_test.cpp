@@ -2,12 +2,15 @@
 // leaves a picture there.
 #include "layerpainter/ui/window/painter_window.h"
 
+#include "layerpainter/ui/panels/mask_list.h"
+#include "layerpainter/ui/window/film_dialog.h"
 #include "widgets/shell/message_bar.h"
 
 #include <QTemporaryDir>
 #include <QToolButton>
 #include <QtTest>
 #include <ctime>
+#include <numbers>
 
 using namespace ductus;
 
@@ -83,9 +86,16 @@ private slots:
     void hidesALayerByItsEye();
     void switchesLooksByAClick();
     void selectsDuplicatesMovesAndErases();
+    void turnsAndScalesByTheGizmo();
+    void choosesByALasso();
     void fadesALayerByADrag();
+    void masksALayerByNoiseAndStrokes();
+    void saysWhichLayersColourAPoint();
     void startsAnEmptyPainting();
     void exportsAPicture();
+    void playsTheMotionAndKeepsViews();
+    void exportsAFilmInTheBackground();
+    void importsIntoTheOpenPainting();
 
 private:
     std::unique_ptr<App> mApp;
@@ -253,6 +263,104 @@ void PainterWindowTest::selectsDuplicatesMovesAndErases()
     QVERIFY(window.view().selection().empty());
 }
 
+void PainterWindowTest::turnsAndScalesByTheGizmo()
+{
+    PainterWindow &window = *mApp->window;
+    PaintingView &view = window.view();
+    mApp->press(Qt::Key_V);
+    QTest::mouseClick(&view, Qt::LeftButton, {}, view.rect().center());
+    QCOMPARE(view.selection().size(), std::size_t(1));
+    mApp->press(Qt::Key_G);
+    TransformTool probe(window.painting());
+    const std::string before = mApp->print();
+    const auto placement = [&] {
+        for (const Layer *layer : window.painting().painting().layers())
+            for (const Element &element : layer->drawingAt(0).elements)
+                if (element.id == view.selection().front())
+                    return element.placement;
+        return Placement();
+    };
+    const Placement untouched = placement();
+    const Vec3 middle = *probe.centre(view);
+    const QPointF at = *view.camera().project(middle);
+    // A quarter turn: from the top of the ring to its right.
+    const QPoint top = TransformTool::ringHandle(at).toPoint();
+    const QPoint right = (at + QPointF(at.y() - top.y(), 0)).toPoint();
+    mApp->drag({top, (at + QPointF(45, -45)).toPoint(), right});
+    const Eigen::AngleAxisd turned(placement().rotation * untouched.rotation.inverse());
+    QVERIFY2(std::abs(turned.angle() - std::numbers::pi / 2) < 0.06,
+             qPrintable(QString::number(turned.angle())));
+    QVERIFY(std::abs(std::abs(turned.axis().dot(view.camera().forward())) - 1) < 1e-3);
+    mApp->shot("05-gizmo");
+    // Twice as far out: twice as large, the middle stays.
+    const QPointF now = *view.camera().project(*probe.centre(view));
+    const QPointF square = TransformTool::scaleHandle(now);
+    const Vec3 kept = *probe.centre(view);
+    mApp->drag(
+        {square.toPoint(), (now + 1.5 * (square - now)).toPoint(), (now + 2 * (square - now)).toPoint()});
+    QVERIFY(std::abs(placement().scale / untouched.scale - 2) < 0.05);
+    QVERIFY((*probe.centre(view) - kept).norm() < 0.02);
+    mApp->press(Qt::Key_Z, Qt::ControlModifier);
+    mApp->press(Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(mApp->print(), before);
+    mApp->press(Qt::Key_Escape);
+}
+
+void PainterWindowTest::choosesByALasso()
+{
+    PainterWindow &window = *mApp->window;
+    PaintingView &view = window.view();
+    const Painting &painting = window.painting().painting();
+    const auto plant = std::ranges::find(painting.stacks, std::string("Plant"), &Stack::name);
+    window.layers().tree().choose(plant->substrate->id);
+    view.setSelection({});
+    mApp->press(Qt::Key_V);
+    const QRect all = view.rect().adjusted(2, 2, -3, -3);
+    // From the upper left corner, where nothing is painted, around everything.
+    const QPoint corners[] = {all.topLeft(), all.topRight(), all.bottomRight(), all.bottomLeft()};
+    QTest::mousePress(&view, Qt::LeftButton, Qt::ControlModifier, corners[0]);
+    for (const QPoint &p : corners) {
+        QMouseEvent move(QEvent::MouseMove, p, view.mapToGlobal(p), Qt::NoButton, Qt::LeftButton,
+                         Qt::ControlModifier);
+        QApplication::sendEvent(&view, &move);
+    }
+    QTest::mouseRelease(&view, Qt::LeftButton, Qt::ControlModifier, corners[3]);
+    QCOMPARE(int(view.selection().size()), plant->substrate->elementCount());
+    mApp->press(Qt::Key_Escape);
+    QVERIFY(view.selection().empty());
+    const auto outside = std::ranges::find(painting.stacks, std::string("Walls"), &Stack::name);
+    window.layers().tree().choose(outside->substrate->id);
+    mApp->press(Qt::Key_L, Qt::ControlModifier);
+}
+
+void PainterWindowTest::masksALayerByNoiseAndStrokes()
+{
+    PainterWindow &window = *mApp->window;
+    const LayerId layer = window.layers().tree().currentLayer();
+    auto *list = window.findChild<MaskList *>();
+    QVERIFY(list && list->isVisible());
+    const auto masks = [&] { return window.painting().painting().findLayer(layer)->properties.masks; };
+    const std::size_t before = masks().size();
+    list->addNoise();
+    QCOMPARE(masks().size(), before + 1);
+    QVERIFY(std::holds_alternative<NoiseMask>(masks().back().shape));
+    list->addStrokes(window.painting().painting().stacks[0].substrate->id, false);
+    QVERIFY(!std::get<StrokeMask>(masks().back().shape).inside);
+    QTest::qWait(50);
+    mApp->shot("05-masks");
+    // No chip lies on another.
+    QList<QRect> places;
+    for (QWidget *row : list->findChildren<QWidget *>(Qt::FindDirectChildrenOnly))
+        if (row->isVisible() && !row->geometry().isEmpty())
+            places << row->geometry();
+    for (int i = 0; i < places.size(); ++i)
+        for (int j = 0; j < i; ++j)
+            QVERIFY(!places[i].intersects(places[j]));
+    mApp->press(Qt::Key_Z, Qt::ControlModifier);
+    mApp->press(Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(masks().size(), before);
+}
+
 void PainterWindowTest::fadesALayerByADrag()
 {
     PainterWindow &window = *mApp->window;
@@ -263,6 +371,41 @@ void PainterWindowTest::fadesALayerByADrag()
     const auto &masks = window.painting().painting().findLayer(layer)->properties.masks;
     QCOMPARE(masks.size(), std::size_t(1));
     QVERIFY(std::holds_alternative<GradientMask>(masks[0].shape));
+}
+
+void PainterWindowTest::saysWhichLayersColourAPoint()
+{
+    PainterWindow &window = *mApp->window;
+    mApp->press(Qt::Key_I);
+    QCOMPARE(window.tool(), PainterTool::Inspect);
+    // Some of these lie in light or shade.
+    const QPoint middle = window.view().rect().center();
+    int most = 0;
+    for (const QPoint &by : {QPoint(-60, 150), QPoint(-90, 190), QPoint(20, 170), QPoint(0, 0)}) {
+        window.colourList().hide();
+        const auto picked = window.view().pick(middle + by);
+        QVERIFY(picked.has_value());
+        QTest::mouseClick(&window.view(), Qt::LeftButton, {}, middle + by);
+        QVERIFY(QTest::qWaitFor([&] { return window.colourList().isVisible(); }, 20'000));
+        // The last row is the shape that was hit.
+        const auto rows = window.colourList().findChildren<QToolButton *>();
+        QVERIFY(!rows.isEmpty());
+        const Stack *stack = window.painting().painting().findStack(picked->stack);
+        QVERIFY(rows.last()->text().startsWith(QString::fromStdString(stack->name)));
+        most = std::max(most, window.colourList().rowCount());
+        if (window.colourList().rowCount() == most)
+            mApp->shot("05-colours");
+    }
+    QVERIFY(most >= 2);
+    for (auto *row : window.colourList().findChildren<QToolButton *>())
+        if (row->isVisible()) {
+            const LayerId layer{row->property("layer").toInt()};
+            QTest::mouseClick(row, Qt::LeftButton);
+            QCOMPARE(window.brush().layer.value, layer.value);
+            break;
+        }
+    mApp->press(Qt::Key_Escape);
+    QVERIFY(!window.colourList().isVisible());
 }
 
 void PainterWindowTest::startsAnEmptyPainting()
@@ -297,6 +440,77 @@ void PainterWindowTest::exportsAPicture()
         QVERIFY(mApp->open(QLatin1String(sample)));
         mApp->shot(QStringLiteral("07-") + sample);
     }
+}
+
+void PainterWindowTest::importsIntoTheOpenPainting()
+{
+    PainterWindow &window = *mApp->window;
+    const std::string before = mApp->print();
+    const std::size_t stacks = window.painting().painting().stacks.size();
+    const QString path = mApp->folder.filePath("corner.obj");
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 3 4\n");
+    file.close();
+    emit window.filesDropped({path});
+    QVERIFY(mApp->jobs.waitForAll(20'000));
+    QCOMPARE(window.painting().painting().stacks.size(), stacks + 1);
+    QCOMPARE(window.painting().painting().stacks.back().name, std::string("corner"));
+    mApp->press(Qt::Key_Z, Qt::ControlModifier); // one step
+    QCOMPARE(mApp->print(), before);
+}
+
+void PainterWindowTest::playsTheMotionAndKeepsViews()
+{
+    PainterWindow &window = *mApp->window; // the plane over clouds
+    PaintingView &view = window.view();
+    QVERIFY(window.motion().isVisible());
+    QCOMPARE(view.seconds(), 0.0);
+    const QImage start = view.picture();
+    mApp->press(Qt::Key_Space);
+    QVERIFY(window.motion().isPlaying());
+    QVERIFY(QTest::qWaitFor([&] { return view.seconds() > 0.4; }, 20'000));
+    mApp->press(Qt::Key_Space);
+    QVERIFY(!window.motion().isPlaying());
+    QVERIFY(view.picture() != start);
+    mApp->shot("08-playing");
+    const std::size_t keys = window.painting().painting().camera.keys.size();
+    window.motion().setSeconds(0.5);
+    mApp->press(Qt::Key_K);
+    const auto &path = window.painting().painting().camera.keys;
+    QCOMPARE(path.size(), keys + 1);
+    QVERIFY(std::ranges::is_sorted(path, {}, &CameraKey::timeSeconds));
+    window.motion().removeKey();
+    QCOMPARE(window.painting().painting().camera.keys.size(), keys);
+    window.motion().setSeconds(0);
+    QCOMPARE(view.picture(), start);
+}
+
+void PainterWindowTest::exportsAFilmInTheBackground()
+{
+    PainterWindow &window = *mApp->window;
+    FilmDialog dialog(window.painting().sharedPainting(), window.view().camera().key(), &window);
+    dialog.show();
+    if (const QString to = qEnvironmentVariable("DUCTUS_SHOTS"); !to.isEmpty())
+        dialog.grab().save(to + "/09-film.png");
+    FilmChoice choice = dialog.choice();
+    QVERIFY(choice.film.plan.frames > 1);
+    choice.film.plan.frames = 3;
+    choice.film.frames.width = 96;
+    choice.film.frames.height = 54;
+    const QString path = mApp->folder.filePath("film.webm");
+    window.exportFilm(path, choice);
+    QVERIFY(mApp->jobs.isBusy());
+    QVERIFY(mApp->jobs.waitForAll(120'000));
+    QVERIFY2(QFileInfo(path).size() > 300, "no film");
+    QVERIFY(window.messages()->messages().last().what.contains("film.webm"));
+    // A cancelled one leaves nothing.
+    choice.film.plan.frames = 100'000;
+    const QString never = mApp->folder.filePath("never.mp4");
+    window.exportFilm(never, choice);
+    mApp->jobs.cancelAll();
+    QVERIFY(mApp->jobs.waitForAll(60'000));
+    QVERIFY(QDir(mApp->folder.path()).entryList({"*never*"}, QDir::Files | QDir::Hidden).isEmpty());
 }
 
 QTEST_MAIN(PainterWindowTest)
