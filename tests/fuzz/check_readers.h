@@ -5,6 +5,7 @@
 
 #include "base/assert.h"
 #include "formats/mesh_file.h"
+#include "formats/meshes/mesh_formats.h"
 #include "formats/paintings/painting_readers.h"
 #include "formats/png_file.h"
 #include "formats/sketch_file.h"
@@ -52,10 +53,32 @@ inline bool checkMeshReader(std::string_view bytes, const std::string &name)
         for (const int v : t)
             DUCTUS_ASSERT(v >= 0 && v < mesh->vertexCount());
     // What was read can be written, and comes back.
-    const auto written = meshBytes({*mesh, {}, {}, ""}, ".ply", {});
+    const auto written = meshBytes({*mesh, {}, {}, "", {}, {}}, ".ply", {});
     DUCTUS_ASSERT(written.ok());
     const auto again = parseMesh(*written, "again.ply", {});
     DUCTUS_ASSERT(again.ok() && again->vertices == mesh->vertices && again->triangles == mesh->triangles);
+    return true;
+}
+
+inline bool checkColouredMeshReader(std::string_view bytes, const std::string &name)
+{
+    const auto read = readColouredGlbMesh(bytes, name, {});
+    if (!read) {
+        checkError(read.error());
+        return false;
+    }
+    const auto &[mesh, colours] = *read;
+    DUCTUS_ASSERT(colours.empty() || colours.size() == mesh.vertices.size());
+    for (const Eigen::Vector4f &colour : colours)
+        DUCTUS_ASSERT(colour.minCoeff() >= 0.f && colour.maxCoeff() <= 1.f);
+    for (const Triangle &t : mesh.triangles)
+        for (const int v : t)
+            DUCTUS_ASSERT(v >= 0 && v < mesh.vertexCount());
+    MeshFileContent content;
+    content.mesh = mesh;
+    content.vertexColours = colours;
+    // Coordinates beyond the range of 32 bits are the writer's to refuse or round; it must not break.
+    (void)meshBytes(content, ".glb", {});
     return true;
 }
 

@@ -105,6 +105,8 @@ void ReadersSurviveMutations::survive()
         const std::string bytes = mutated(seed.bytes, seeds, random);
         if (seed.kind == Seed::Sketch)
             accepted += checkSketchReader(bytes, seed.name);
+        else if (seed.kind == Seed::Mesh && bytes.starts_with("glTF") && run % 2 == 0)
+            accepted += checkColouredMeshReader(bytes, seed.name);
         else if (seed.kind == Seed::Mesh)
             accepted += checkMeshReader(bytes, seed.name);
         else if (seed.kind == Seed::Quill)

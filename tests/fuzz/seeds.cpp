@@ -19,6 +19,9 @@ std::vector<Seed> meshSeeds()
     std::vector<Seed> seeds;
     for (const char *extension : {".obj", ".ply", ".stl", ".off", ".glb"})
         seeds.push_back({Seed::Mesh, std::string("seed") + extension, *meshBytes(content, extension, {})});
+    content.vertexColours.assign(4, {0.5f, 0.25f, 1, 0.75f});
+    content.regionNames = {"a", "b", "c"};
+    seeds.push_back({Seed::Mesh, "seed_coloured.glb", *meshBytes(content, ".glb", {})});
     seeds.push_back(
         {Seed::Mesh, "seed_ascii.stl",
          "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
