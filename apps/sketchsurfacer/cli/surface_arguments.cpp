@@ -259,8 +259,9 @@ private:
                                             "R", "0.005");
     QCommandLineOption mParts = option("parts",
                                        "auto or off: whether cables are found by themselves, made tubes of, "
-                                       "and what they join surfaced apart.",
-                                       "HOW", "off");
+                                       "and what they join surfaced apart. Not for projects and "
+                                       "not with --proxy: there it is decided.",
+                                       "HOW", "auto");
     QCommandLineOption mScribbles = option("scribbles",
                                            "Corrections to the regions as a designer would draw them, JSON; "
                                            "the manual describes it.",

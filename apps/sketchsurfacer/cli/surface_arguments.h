@@ -32,7 +32,7 @@ struct SurfaceArguments
     std::filesystem::path picture;                                     // empty: none
     std::filesystem::path ambiguity;                                   // .png or .json; empty: none
     std::vector<int> boundaryStrokes, ignoredStrokes, skeletalStrokes; // 0-based, in file order
-    bool findCables = false;                                           // --parts auto
+    bool findCables = true;                                            // --parts auto
     bool quiet = false;
     SurfaceOptions options; // with the defaults where nothing was given
     GivenOptions given;     // to be laid over those stored in a project

@@ -44,7 +44,7 @@ void SurfaceArgumentsTest::defaultsAreThoseOfTheEngine()
     QVERIFY(parsed.arguments->boundaryStrokes.empty() && parsed.arguments->ignoredStrokes.empty() &&
             parsed.arguments->skeletalStrokes.empty());
     QCOMPARE(given.skeletal.radius, plain.skeletal.radius);
-    QVERIFY(!parsed.arguments->findCables);
+    QVERIFY(parsed.arguments->findCables);
     QVERIFY(!parse("in.curves -o out.obj --parts some").arguments);
     QVERIFY(!parsed.arguments->quiet);
 }
@@ -55,7 +55,7 @@ void SurfaceArgumentsTest::everyOptionArrives()
         "in.curves more.obj -o out.PLY --scribbles s.json --proxy m.stl --symmetry auto --epsilon 0.02 "
         "--simplicity 0.5 --smoothness 3 "
         "--runs 10 --seed 9007199254740991 --proxy-vertices 5000 --tightness 0.25 --boundary 3 --ignore "
-        "5,7-9 --skeletal 2,4-5 --tube-radius 0.02 --parts auto "
+        "5,7-9 --skeletal 2,4-5 --tube-radius 0.02 --parts off "
         "--report r.json --picture p.PNG --ambiguity a.json -q");
     QVERIFY2(parsed.arguments, qPrintable(parsed.message));
     const SurfaceArguments &a = *parsed.arguments;
@@ -63,7 +63,7 @@ void SurfaceArgumentsTest::everyOptionArrives()
     QCOMPARE(a.scribbles, std::filesystem::path("s.json"));
     QCOMPARE(a.skeletalStrokes, (std::vector<int>{2, 4, 5}));
     QCOMPARE(a.options.skeletal.radius, 0.02);
-    QVERIFY(a.findCables);
+    QVERIFY(!a.findCables);
     QCOMPARE(a.output, std::filesystem::path("out.PLY"));
     QCOMPARE(a.proxy, std::filesystem::path("m.stl"));
     QCOMPARE(a.report, std::filesystem::path("r.json"));

@@ -53,18 +53,19 @@ Result<void> setRoles(StrokeSet &strokes, const std::vector<int> &ids, StrokeRol
     return {};
 }
 
-Result<void> markCables(StrokeSet &strokes, const JobControl &control)
+// Who has a project or a proxy has decided already.
+Result<void> findCables(const SurfaceArguments &a, SketchInput &sketch, const JobControl &control)
 {
-    const Result<std::vector<int>> cables = proposedCables(strokes, {}, control);
+    if (!a.findCables || sketch.options || sketch.givenProxy || !a.proxy.empty())
+        return {};
+    const Result<std::vector<int>> cables = markCables(sketch.strokes, {}, control);
     if (!cables)
         return cables.error();
-    for (int id : *cables) {
-        strokes.strokes[std::size_t(id)].role = StrokeRole::Skeletal;
+    for (int id : *cables)
         std::fprintf(
             stderr,
             "sketchsurfacer: Stroke %d is taken for a cable; with --parts off it is one of the surface\n",
             id);
-    }
     return {};
 }
 
@@ -241,9 +242,8 @@ ExitCode run(SurfaceArguments &a, TerminalJob &job)
           setRoles(sketch->strokes, a.skeletalStrokes, StrokeRole::Skeletal, "--skeletal")})
         if (!chosen)
             return fail(job, chosen.error());
-    if (a.findCables)
-        if (Result<void> found = markCables(sketch->strokes, control); !found)
-            return fail(job, found.error());
+    if (Result<void> found = findCables(a, *sketch, control); !found)
+        return fail(job, found.error());
     const std::string place = a.inputs.size() == 1 ? a.inputs.front().string() : nameOf(a);
     if (Result<void> hasWidth = checkHasWidth(sketch->strokes, place); !hasWidth)
         return fail(job, hasWidth.error());

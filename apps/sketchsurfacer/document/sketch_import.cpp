@@ -1,6 +1,7 @@
 #include "sketchsurfacer/document/sketch_import.h"
 
 #include "document/document_files.h"
+#include "surfacing/parts/cable_proposal.h"
 #include "surfacing/sketch/point_cloud.h"
 
 #include <QFile>
@@ -13,7 +14,8 @@ namespace ductus {
 
 namespace {
 
-Result<ImportedSketch> imported(Result<SketchFile> file, const QString &name, const std::string &place)
+Result<ImportedSketch> imported(Result<SketchFile> file, const QString &name, const std::string &place,
+                                const JobControl &control)
 {
     if (!file)
         return file.error();
@@ -33,6 +35,12 @@ Result<ImportedSketch> imported(Result<SketchFile> file, const QString &name, co
     sketch.name = name;
     for (const std::string &warning : file->warnings)
         sketch.warnings << QString::fromStdString(warning);
+    if (!sketch.isPointCloud) {
+        Result<std::vector<int>> cables = markCables(sketch.strokes, {}, control);
+        if (!cables)
+            return cables.error();
+        sketch.cables = std::move(*cables);
+    }
     return sketch;
 }
 
@@ -42,14 +50,14 @@ Result<ImportedSketch> importSketch(const QString &path, const JobControl &contr
 {
     const QFileInfo info(path);
     return imported(readSketch(enginePath(path), {}, control), info.completeBaseName(),
-                    info.fileName().toStdString());
+                    info.fileName().toStdString(), control);
 }
 
 Result<ImportedSketch> importSketchText(const QByteArray &text, const QString &name,
                                         const JobControl &control)
 {
     const std::string_view bytes(text.constData(), std::size_t(text.size()));
-    return imported(parseSketch(bytes, name.toStdString(), {}, control), name, name.toStdString());
+    return imported(parseSketch(bytes, name.toStdString(), {}, control), name, name.toStdString(), control);
 }
 
 std::vector<SampleSketch> bundledSamples()

@@ -16,6 +16,7 @@ struct ImportedSketch
     SurfaceOptions options = defaultSurfaceOptions();
     QString name;         // for the title
     QStringList warnings; // what was passed over
+    std::vector<int> cables; // strokes that were given the role Skeletal
     bool isPointCloud = false;
 };
 

@@ -149,4 +149,14 @@ Result<std::vector<int>> proposedCables(const StrokeSet &strokes, const CableOpt
     return cables;
 }
 
+Result<std::vector<int>> markCables(StrokeSet &strokes, const CableOptions &options,
+                                    const JobControl &control)
+{
+    Result<std::vector<int>> cables = proposedCables(strokes, options, control);
+    if (cables)
+        for (int s : *cables)
+            strokes.strokes[std::size_t(s)].role = StrokeRole::Skeletal;
+    return cables;
+}
+
 } // namespace ductus

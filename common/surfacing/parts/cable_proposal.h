@@ -29,4 +29,7 @@ struct CableOptions
 Result<std::vector<int>> proposedCables(const StrokeSet &strokes, const CableOptions &options,
                                         const JobControl &control);
 
+/// Gives the proposed ones the role Skeletal and tells which they are.
+Result<std::vector<int>> markCables(StrokeSet &strokes, const CableOptions &options, const JobControl &control);
+
 } // namespace ductus

@@ -43,7 +43,7 @@ QString roleName(StrokeRole role)
     case StrokeRole::Inner:
         return StrokePanel::tr("inside, not used");
     case StrokeRole::Skeletal:
-        return StrokePanel::tr("skeleton, not used");
+        return StrokePanel::tr("thin tube");
     }
     return {};
 }
