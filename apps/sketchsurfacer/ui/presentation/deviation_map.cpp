@@ -2,6 +2,7 @@
 
 #include "base/parallel.h"
 #include "geometry/nearest.h"
+#include "geometry/point_tree.h"
 #include "sketchsurfacer/ui/viewport/length_text.h"
 
 #include <algorithm>
@@ -83,13 +84,9 @@ DeviationMap deviationMap(const TriangleMesh &surface, const std::vector<int> &t
     if (surfaceArea(surface) <= 0.0)
         return map;
     const NearestOnMesh nearest(surface);
-    struct Sample
-    {
-        Vec3 point;
-        double distance;
-    };
-    std::vector<Sample> samples;
-    std::vector<double> sum(std::size_t(regionCount), 0.0), count(std::size_t(regionCount), 0.0), all;
+    std::vector<Vec3> feet; // of all points, on the surface
+    std::vector<double> distances;
+    std::vector<double> sum(std::size_t(regionCount), 0.0), count(std::size_t(regionCount), 0.0);
     for (std::size_t i = 0; i < strokes.strokes.size(); ++i) {
         const Stroke &stroke = strokes.strokes[i];
         if (!carriesSurface(stroke))
@@ -97,8 +94,8 @@ DeviationMap deviationMap(const TriangleMesh &surface, const std::vector<int> &t
         for (const Vec3 &p : stroke.points) {
             const NearestPoint near = nearest.nearest(p);
             map.strokeDistance[i].push_back(near.distance);
-            samples.push_back({near.point, near.distance});
-            all.push_back(near.distance);
+            feet.push_back(near.point);
+            distances.push_back(near.distance);
             const auto region = std::size_t(triangleRegions[std::size_t(near.triangle)]);
             sum[region] += near.distance;
             count[region] += 1.0;
@@ -109,27 +106,29 @@ DeviationMap deviationMap(const TriangleMesh &surface, const std::vector<int> &t
     for (std::size_t r = 0; r < sum.size(); ++r)
         if (count[r] > 0.0)
             map.regionDeviation[r] = sum[r] / count[r];
-    if (all.empty())
+    if (distances.empty())
         return map;
+    std::vector<double> all = distances;
     const auto high = all.begin() + std::ptrdiff_t(0.98 * double(all.size() - 1));
     std::nth_element(all.begin(), high, all.end());
     const double unit = strokes.metresPerUnit;
     map.largest = roundedUp(std::max(*high, 1e-6 * strokes.box().diagonal()) * unit) / unit;
 
     const double reach = reachShare * strokes.box().diagonal();
+    const PointTree tree(std::move(feet));
     map.vertexColours.assign(surface.vertices.size(), neutral);
     parallelChunks(surface.vertices.size(), 256, [&](std::size_t begin, std::size_t end) {
         if (control.isCancelled())
             return;
         for (std::size_t v = begin; v < end; ++v) {
             double weights = 0.0, mean = 0.0, closest = reach;
-            for (const Sample &sample : samples) {
-                const double d2 = (sample.point - surface.vertices[v]).squaredNorm();
+            for (const int i : tree.within(surface.vertices[v], reach)) {
+                const double d2 = (tree.points()[std::size_t(i)] - surface.vertices[v]).squaredNorm();
                 if (d2 >= reach * reach)
                     continue;
                 const double w = std::exp(-9.0 * d2 / (reach * reach));
                 weights += w;
-                mean += w * sample.distance;
+                mean += w * distances[std::size_t(i)];
                 closest = std::min(closest, std::sqrt(d2));
             }
             if (weights > 0.0)

@@ -1,6 +1,7 @@
 #include "sketchsurfacer/ui/window/measures_panel.h"
 
 #include "sketchsurfacer/ui/viewport/length_text.h"
+#include "surfacing/sketch/point_cloud.h"
 
 #include <QComboBox>
 #include <QFormLayout>
@@ -112,7 +113,8 @@ void MeasuresPanel::refresh()
         const Vec3 size = metres * (box.max - box.min);
         mSize->setText(sizeText(size, locale()));
     }
-    mStrokes->setText(locale().toString(int(strokes.strokes.size())));
+    const int count = int(strokes.strokes.size());
+    mStrokes->setText(isPointCloud(strokes) ? tr("%n points", nullptr, count) : locale().toString(count));
     mArea->setText(surface ? areaText(surfaceArea(surface->mesh) * metres * metres, locale()) : none);
     mWatertight->setText(!surface ? none : mResult->isClosed ? tr("yes") : tr("no, it has a border"));
     const double litres =

@@ -1,5 +1,6 @@
 #include "sketchsurfacer/ui/window/surface_button.h"
 
+#include "surfacing/sketch/point_cloud.h"
 #include "widgets/theme/icons.h"
 
 #include <QLabel>
@@ -70,9 +71,12 @@ void SurfaceButton::refresh()
                              : QString()));
     else if (mDocument.shownResult())
         mState->setText(tr("The surface is older than the sketch."));
-    else
-        mState->setText(
-            tr("%n strokes, not surfaced yet.", nullptr, int(mDocument.strokes().strokes.size())));
+    else {
+        const StrokeSet &strokes = mDocument.strokes();
+        const int count = int(strokes.strokes.size());
+        mState->setText(isPointCloud(strokes) ? tr("%n points, not surfaced yet.", nullptr, count)
+                                              : tr("%n strokes, not surfaced yet.", nullptr, count));
+    }
 }
 
 void SurfaceButton::showProgress(const JobState &state)
