@@ -28,6 +28,8 @@ public:
 
     /// From canvas units to homogeneous pixels; the third component is the depth.
     const Eigen::Matrix3d &pixelFromCanvas() const { return mPixelFromCanvas; }
+    /// Its inverse; zero for sheets seen from the edge.
+    const Eigen::Matrix3d &canvasFromPixel() const { return mCanvasFromPixel; }
 
     /// 1: the sheet faces the camera, 0: it is seen from its edge and vanishes. The cosine between the
     /// sheet's normal and the ray to its middle. Little of it makes drawing in the rectified view hard

@@ -35,10 +35,10 @@ struct Bounds
 {
     Vec2 min = Vec2::Constant(1e300), max = Vec2::Constant(-1e300);
 
-    void add(const Vec2 &p, double reach = 0.0)
+    void add(const Vec2 &p)
     {
-        min = min.cwiseMin(p - Vec2::Constant(reach));
-        max = max.cwiseMax(p + Vec2::Constant(reach));
+        min = min.cwiseMin(p);
+        max = max.cwiseMax(p);
     }
     PixelBox pixels(const PixelBox &limits) const
     {
@@ -100,7 +100,7 @@ private:
     // Adds what is needed strictly between two points.
     void way(const Vec2 &a, double ra, const Vec2 &b, double rb, int level)
     {
-        constexpr double mostBend = 1.1, longestStep = 64.0; // ratio of depths; pixels, to keep boxes small
+        constexpr double mostBend = 1.5, longestStep = 64.0; // ratio of depths; pixels, to keep boxes small
         constexpr int deepest = 12;
         const double da = mView.depthOf(a), db = mView.depthOf(b);
         if (level == deepest || std::max(da, db) < mLeast)
@@ -150,37 +150,47 @@ private:
     std::vector<std::vector<Node>> mRuns;
 };
 
-// Paints the brush moved from a to b, by the larger share.
+// The pixels the brush touches on its way from a to b: those of the square around it, as far as it is before
+// the camera.
+Bounds boundsOf(const Node &a, const Node &b, const CanvasView &view)
+{
+    const double reach = std::max(a.radius, b.radius);
+    const Vec2 low = a.onCanvas.cwiseMin(b.onCanvas) - Vec2::Constant(reach);
+    const Vec2 high = a.onCanvas.cwiseMax(b.onCanvas) + Vec2::Constant(reach);
+    Bounds bounds;
+    for (const Vec2 &corner :
+         cutAtCamera({low, Vec2(high.x(), low.y()), high, Vec2(low.x(), high.y())}, view))
+        if (const std::optional<Vec2> pixel = view.pixelOf(corner))
+            bounds.add(*pixel);
+    return bounds;
+}
+
+// Paints the brush moved from a to b, by the larger share: every pixel's place on the canvas, and how far it
+// is from the way in pixels as they are there.
 void paintStep(const Node &a, const Node &b, const CanvasView &view, Coverage &coverage)
 {
-    const Vec2 middle = 0.5 * (a.onCanvas + b.onCanvas);
-    const Eigen::Matrix2d pixelFromCanvas = derivative(view, middle);
-    if (!(std::abs(pixelFromCanvas.determinant()) > 1e-12))
-        return;
-    const Eigen::Matrix2d canvasFromPixel = pixelFromCanvas.inverse();
-    const Vec2 pixelMiddle = 0.5 * (a.pixel + b.pixel);
-    const Vec2 start = canvasFromPixel * (a.pixel - pixelMiddle),
-               end = canvasFromPixel * (b.pixel - pixelMiddle);
-    const Vec2 way = end - start;
+    const Eigen::Matrix3d &inverse = view.canvasFromPixel();
+    const Vec2 way = b.onCanvas - a.onCanvas;
     const double squared = way.squaredNorm();
-    Bounds bounds;
-    const double stretch = longest(pixelFromCanvas);
-    bounds.add(a.pixel, a.radius * stretch + 0.5);
-    bounds.add(b.pixel, b.radius * stretch + 0.5);
-    const PixelBox box = bounds.pixels(coverage.box);
+    const PixelBox box = boundsOf(a, b, view).pixels(coverage.box);
     for (int y = box.top; y < box.bottom; ++y) {
         float *row =
             coverage.shares.data() + std::size_t(y - coverage.box.top) * std::size_t(coverage.box.width());
         for (int x = box.left; x < box.right; ++x) {
-            const Vec2 point = canvasFromPixel * (Vec2(x + 0.5, y + 0.5) - pixelMiddle);
+            const Vec3 seen = inverse * Vec3(x + 0.5, y + 0.5, 1.0);
+            if (!(seen.z() > 0.0))
+                continue;
+            const Vec2 point = seen.hnormalized();
             const double share =
-                squared > 0.0 ? std::clamp((point - start).dot(way) / squared, 0.0, 1.0) : 0.0;
-            const Vec2 off = point - start - share * way;
+                squared > 0.0 ? std::clamp((point - a.onCanvas).dot(way) / squared, 0.0, 1.0) : 0.0;
+            const Vec2 off = point - a.onCanvas - share * way;
             const double radius = a.radius + share * (b.radius - a.radius);
             const double distance = off.norm();
             // Canvas units a pixel is wide in the direction of the distance.
-            const double pixel = distance > 1e-12 ? (canvasFromPixel.transpose() * off).norm() / distance
-                                                  : canvasFromPixel.col(0).norm();
+            const Eigen::RowVector2d low = inverse.row(2).head<2>();
+            const Eigen::Matrix2d step = (inverse.topLeftCorner<2, 2>() - point * low) / seen.z();
+            const double pixel =
+                distance > 1e-12 ? (step.transpose() * off).norm() / distance : step.col(0).norm();
             const double d = distance / pixel, r = radius / pixel;
             const double covered = std::min(0.5, r - d) + std::min(0.5, r + d);
             float &old = row[x - coverage.box.left];
@@ -294,8 +304,11 @@ PixelBox boxOf(const MarkPiece &piece, const CanvasView &view, const PixelBox &l
     if (const LinePiece *line = std::get_if<LinePiece>(&piece)) {
         for (const LinePiece::Line &one : line->lines)
             for (const std::vector<Node> &run : Runs(view, limits).of(one))
-                for (const Node &node : run)
-                    bounds.add(node.pixel, node.radius * longest(derivative(view, node.onCanvas)) + 1.0);
+                for (const Node &node : run) {
+                    const Bounds around = boundsOf(node, node, view);
+                    bounds.add(around.min);
+                    bounds.add(around.max);
+                }
     } else if (const AreaPiece *area = std::get_if<AreaPiece>(&piece)) {
         for (const Outline &outline : area->outlines)
             addOutline(outline);

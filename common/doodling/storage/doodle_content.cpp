@@ -1,6 +1,9 @@
 #include "doodling/storage/doodle_content.h"
 
+#include "doodling/storage/canvas_storage.h"
+#include "doodling/storage/depth_storage.h"
 #include "doodling/storage/flow_storage.h"
+#include "doodling/storage/long_flow_storage.h"
 #include "project/container/entry_name.h"
 
 #include <cmath>
@@ -27,11 +30,24 @@ std::string_view nameOf(CameraKnowledge knowledge)
     return knowledgeNames[0].first;
 }
 
+// Either all that is known of a frame is there, or nothing but cameras: the clip was not analysed yet.
+bool isOfFrames(const Shot &shot, std::size_t frames)
+{
+    if (shot.cameras.size() != frames)
+        return false;
+    if (shot.features.empty() && shot.forward.empty() && shot.backward.empty())
+        return true;
+    return shot.features.size() == frames && shot.forward.size() + 1 == frames &&
+           shot.backward.size() + 1 == frames;
+}
+
 struct StoredShot
 {
     std::vector<StoredFlow> forward, backward;
     std::vector<BufferPacker::Handle> features;
     BufferPacker::Handle cameras = 0;
+    StoredLongFlows longFlows;
+    StoredDepths depths;
 };
 
 // Rotation x y z w, position, focal length, centre of projection.
@@ -57,6 +73,8 @@ StoredShot addShot(const Shot &shot, BufferPacker &packer)
         stored.features.push_back(
             packer.add<std::uint8_t>(grid.values, {std::uint64_t(grid.width) * std::uint64_t(grid.height),
                                                    std::uint64_t(grid.channels)}));
+    stored.longFlows = addLongFlows(shot, packer);
+    stored.depths = addDepths(shot, packer);
     return stored;
 }
 
@@ -80,6 +98,8 @@ OrderedJson shotJson(const Shot &shot, const StoredShot &stored, const BufferPac
                                     {"cellSize", shot.features[t].cellSize},
                                     {"channels", shot.features[t].channels},
                                     {"values", packer.reference(stored.features[t]).toJson()}});
+    writeLongFlows(shot, stored.longFlows, packer, json);
+    writeDepths(shot, stored.depths, packer, json);
     return json;
 }
 
@@ -141,9 +161,12 @@ Shot shotFromJson(const JsonReader &reader, ArrayLoader &arrays, const ClipRefer
     for (const JsonReader &grid : reader.elements("features", std::size_t(mostFrames)))
         if (!reader.failed())
             shot.features.push_back(featuresFromJson(grid, arrays));
+    if (!reader.failed())
+        readLongFlows(reader, arrays, clip.frameCount, shot);
+    if (!reader.failed())
+        readDepths(reader, arrays, clip.frameCount, shot);
     const std::size_t frames = std::size_t(clip.frameCount);
-    if (!reader.failed() && (shot.cameras.size() != frames || shot.features.size() != frames ||
-                             shot.forward.size() + 1 != frames || shot.backward.size() + 1 != frames))
+    if (!reader.failed() && !isOfFrames(shot, frames))
         reader.fail("it was made of another number of frames than the clip has");
     return shot;
 }
@@ -162,9 +185,15 @@ std::shared_ptr<const DocumentContent> readDoodle(const JsonReader &reader, Arra
     auto shot = std::make_shared<const Shot>(shotFromJson(reader.member("shot"), arrays, clip));
     if (reader.failed())
         return nullptr;
+    std::shared_ptr<const DoodleScene> scene;
+    if (reader.has("scene"))
+        scene = std::make_shared<const DoodleScene>(
+            sceneFromJson(reader.member("scene"), arrays, clip.frameCount));
+    if (reader.failed())
+        return nullptr;
     return std::make_shared<const DoodleContent>(
         std::move(clip), std::move(shot),
-        reader.unknown({"schema", "version", "minReader", "id", "clip", "shot"}));
+        reader.unknown({"schema", "version", "minReader", "id", "clip", "shot", "scene"}), std::move(scene));
 }
 
 } // namespace
@@ -177,15 +206,18 @@ Result<void> DoodleContent::check(const std::string &place) const
     if (!isValidUtf8(mClip.path) || mClip.path.empty() || mClip.path.size() > longestPath)
         return refused("the path of the clip is empty, too long or not UTF-8");
     const std::size_t frames = std::size_t(mClip.frameCount);
-    if (mClip.frameCount < 1 || mShot->cameras.size() != frames || mShot->features.size() != frames ||
-        mShot->forward.size() + 1 != frames || mShot->backward.size() + 1 != frames)
+    if (mClip.frameCount < 1 || !isOfFrames(*mShot, frames))
         return refused("the scene was made of another number of frames than the clip has");
+    if (const std::string problem = sceneProblem(*mScene, mClip.frameCount); !problem.empty())
+        return refused(problem);
     return {};
 }
 
 OrderedJson DoodleContent::toJson(const Uuid &id, BufferPacker &packer) const
 {
     const StoredShot stored = addShot(*mShot, packer);
+    packer.startBuffer(); // drawing on changes buffers of its own only
+    const StoredScene storedScene = addScene(*mScene, packer);
     packer.finish();
     OrderedJson json = {{"schema", doodleKindName},
                         {"version", doodleVersion},
@@ -198,6 +230,8 @@ OrderedJson DoodleContent::toJson(const Uuid &id, BufferPacker &packer) const
                           {"height", mClip.height},
                           {"framesPerSecond", mClip.framesPerSecond}}},
                         {"shot", shotJson(*mShot, stored, packer)}};
+    if (!mScene->canvases.empty())
+        json["scene"] = sceneJson(*mScene, storedScene, packer);
     addUnknown(json, mUnknown);
     return json;
 }

@@ -2,6 +2,7 @@
 // it. Fields: resources/schemas/doodle.schema.json.
 #pragma once
 
+#include "doodling/canvas/canvas.h"
 #include "doodling/reconstruction/shot.h"
 #include "project/project.h"
 
@@ -23,14 +24,22 @@ struct ClipReference
 class DoodleContent : public DocumentContent
 {
 public:
-    DoodleContent(ClipReference clip, std::shared_ptr<const Shot> shot, UnknownMembers unknown = {})
-        : mClip(std::move(clip)), mShot(std::move(shot)), mUnknown(std::move(unknown))
+    /// \a scene null: nothing is drawn yet.
+    DoodleContent(ClipReference clip, std::shared_ptr<const Shot> shot, UnknownMembers unknown = {},
+                  std::shared_ptr<const DoodleScene> scene = nullptr)
+        : mClip(std::move(clip)), mShot(std::move(shot)),
+          mScene(scene ? std::move(scene) : std::make_shared<const DoodleScene>()),
+          mUnknown(std::move(unknown))
     {
     }
 
     const ClipReference &clip() const { return mClip; }
     /// Never null.
     const std::shared_ptr<const Shot> &shot() const { return mShot; }
+    /// What was drawn; never null.
+    const std::shared_ptr<const DoodleScene> &scene() const { return mScene; }
+
+    const UnknownMembers &unknown() const { return mUnknown; }
 
     std::string_view kind() const override { return doodleKindName; }
     Result<void> check(const std::string &place) const override;
@@ -40,6 +49,7 @@ public:
 private:
     ClipReference mClip;
     std::shared_ptr<const Shot> mShot;
+    std::shared_ptr<const DoodleScene> mScene;
     UnknownMembers mUnknown;
 };
 
