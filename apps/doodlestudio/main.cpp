@@ -1,6 +1,9 @@
 // DoodleStudio: hand-drawn animation that sticks to a filmed scene. Without a command the window, with one
 // the batch commands, which need no display.
 #include "doodlestudio/cli/analyse_command.h"
+#include "doodlestudio/cli/export_command.h"
+#include "doodlestudio/cli/inspect_commands.h"
+#include "doodlestudio/cli/thumbnail_command.h"
 #include "doodlestudio/cli/track_command.h"
 #include "doodlestudio/ui/run_window.h"
 
@@ -21,6 +24,10 @@ constexpr const char *usage =
     "Commands (doodlestudio COMMAND --help lists the options):\n"
     "  analyse CLIP -o P.ductus                   finds how the scene moves\n"
     "  track P.ductus --queries Q.json -o T.json  follows points from their keyframes\n"
+    "  export P.ductus -o OUT.mp4                 writes the clip with its doodles as a film\n"
+    "  thumbnail P.ductus -o OUT.png              draws one frame with its doodles, small\n"
+    "  info P.ductus                              says what a project holds\n"
+    "  validate P.ductus                          checks a project\n"
     "\n"
     "Exit codes: 0 done, 1 failed with the reason on stderr, 2 wrong usage, 3 cancelled.\n";
 
@@ -32,6 +39,14 @@ Command commandOf(const QString &word)
         return ductus::runAnalyseCommand;
     if (word == QLatin1String("track"))
         return ductus::runTrackCommand;
+    if (word == QLatin1String("export"))
+        return ductus::runExportCommand;
+    if (word == QLatin1String("thumbnail"))
+        return ductus::runThumbnailCommand;
+    if (word == QLatin1String("info"))
+        return ductus::runInfoCommand;
+    if (word == QLatin1String("validate"))
+        return ductus::runValidateCommand;
     return nullptr;
 }
 

@@ -49,6 +49,16 @@ CoarseMask coarse(const CanvasOcclusion &occlusion, const Shot &shot, int frame,
     return mask;
 }
 
+// A guided mask comes close to 0 and 1 and seldom reaches them: what is wholly seen must not be a little
+// clear.
+std::vector<float> withFirmEnds(std::vector<float> values)
+{
+    constexpr float end = 0.06f;
+    for (float &value : values)
+        value = std::clamp((value - end) / (1.0f - 2.0f * end), 0.0f, 1.0f);
+    return values;
+}
+
 void brush(std::vector<float> &visibility, const OcclusionTouch &touch, const std::vector<Vec2> &line,
            double weight, double working, const PixelBox &box)
 {
@@ -101,7 +111,7 @@ std::vector<float> visibilityOf(const CanvasOcclusion &occlusion, const Shot &sh
         const CoarseMask mask = coarse(occlusion, shot, frame, view, working, box, limits);
         const auto [least, most] = std::minmax_element(mask.values.begin(), mask.values.end());
         if (*most - *least > 1e-3f)
-            visibility = guidedMask(mask, picture, box);
+            visibility = withFirmEnds(guidedMask(mask, picture, box));
         else if (*least < 1.0f)
             visibility.assign(std::size_t(box.width()) * std::size_t(box.height()), *least);
     }

@@ -1,0 +1,92 @@
+#include "doodlestudio/cli/inspect_commands.h"
+
+#include "cli/batch_command.h"
+#include "doodlestudio/cli/doodle_report.h"
+#include "doodling/storage/doodle_content.h"
+#include "formats/atomic_file.h"
+#include "project/project_reader.h"
+#include "project/schema_check.h"
+
+#include <cstdio>
+#include <span>
+
+namespace ductus {
+
+namespace {
+
+ProjectReadOptions knownDocuments()
+{
+    ProjectReadOptions options;
+    options.kinds = {doodleKind()};
+    return options;
+}
+
+} // namespace
+
+ExitCode runInfoCommand(const QStringList &arguments)
+{
+    BatchParser parser(QStringLiteral("info"), QStringLiteral("Says what a project holds."));
+    const QCommandLineOption json(QStringLiteral("json"), QStringLiteral("As JSON."));
+    parser.addPositional(QStringLiteral("P.ductus"), QStringLiteral("The project."));
+    parser.addOption(json);
+    if (const std::optional<ExitCode> end = parser.parse(arguments, 1, 1))
+        return *end;
+    TerminalJob job(true);
+    const std::filesystem::path path = parser.positionalPath(0);
+    const Result<Project> project = openProject(path, knownDocuments());
+    if (!project)
+        return failed(job, project.error());
+    nlohmann::ordered_json report = {{"schema", "project-info"},
+                                     {"version", 1},
+                                     {"id", project->id.text()},
+                                     {"generator", project->generator}};
+    report["documents"] = nlohmann::ordered_json::array();
+    std::string text = path.filename().string() + ", made by " + project->generator + "\n";
+    for (const ProjectDocument &document : project->documents) {
+        nlohmann::ordered_json entry = {
+            {"id", document.id.text()}, {"kind", document.kind}, {"name", document.name}};
+        text += document.kind + " \"" + document.name + "\"\n";
+        if (const auto content = std::dynamic_pointer_cast<const DoodleContent>(document.content)) {
+            entry["doodle"] = doodleSummary(*content);
+            text += doodleLines(*content);
+        }
+        report["documents"].push_back(std::move(entry));
+    }
+    report["warnings"] = project->warnings;
+    for (const std::string &warning : project->warnings)
+        text += warning + "\n";
+    std::fputs(parser.isSet(json) ? (report.dump(2) + "\n").c_str() : text.c_str(), stdout);
+    return ExitCode::Done;
+}
+
+ExitCode runValidateCommand(const QStringList &arguments)
+{
+    BatchParser parser(
+        QStringLiteral("validate"),
+        QStringLiteral("Checks a project: container, hashes, schemas, and that everything in it is "
+                       "sound. Silent if all is well."));
+    parser.addPositional(QStringLiteral("P.ductus"), QStringLiteral("The project."));
+    if (const std::optional<ExitCode> end = parser.parse(arguments, 1, 1))
+        return *end;
+    TerminalJob job(true);
+    const std::filesystem::path path = parser.positionalPath(0);
+    const Result<std::string> text =
+        readWholeFile(path, ContainerLimits().maxFileBytes, "Checking the project");
+    if (!text)
+        return failed(job, text.error());
+    const std::span<const std::byte> bytes = std::as_bytes(std::span(*text));
+    const std::string name = path.filename().string();
+    const Result<std::vector<std::string>> violations = projectSchemaViolations(bytes, name);
+    if (!violations)
+        return failed(job, violations.error());
+    for (const std::string &line : *violations)
+        std::fprintf(stderr, "doodlestudio: %s: %s\n", name.c_str(), line.c_str());
+    const Result<Project> project = parseProject(bytes, name, knownDocuments());
+    if (!project)
+        return failed(job, project.error());
+    for (const std::string &warning : project->warnings)
+        std::fprintf(stderr, "doodlestudio: %s: %s\n", name.c_str(), warning.c_str());
+    return violations->empty() ? ExitCode::Done : ExitCode::Failed;
+}
+
+} // namespace ductus
