@@ -120,6 +120,61 @@ Quaternion turnedBetween(const std::vector<TurnKeyframe> &turns, int frame)
     return before.worldFromCanvas.slerp(share, next->worldFromCanvas);
 }
 
+// How far a thing that stands still would turn in the picture from frame \a from to \a to: the camera's roll.
+double rollBetween(const Shot &shot, int from, int to)
+{
+    const Eigen::Matrix3d turned = shot.cameras[std::size_t(to)].worldFromCamera.linear().transpose() *
+                                   shot.cameras[std::size_t(from)].worldFromCamera.linear();
+    return std::atan2(turned(1, 0), turned(0, 0));
+}
+
+// The keyframe's orientation turned about the line of sight by what the thing turned since.
+Quaternion turnedWithThing(const Shot &shot, const std::vector<TrackedPoint> &points, const TurnKeyframe &key,
+                           int frame)
+{
+    const double seen = points[std::size_t(frame)].turn - points[std::size_t(key.frame)].turn;
+    const Vec3 sight = shot.cameras[std::size_t(frame)].worldFromCamera.linear().col(2);
+    return Quaternion(Eigen::AngleAxisd(seen - rollBetween(shot, key.frame, frame), sight)) *
+           key.worldFromCanvas.normalized();
+}
+
+// From the keyframe before and the one after, the nearer one counting more.
+Quaternion turnedWithThing(const Shot &shot, const std::vector<TrackedPoint> &points,
+                           const std::vector<TurnKeyframe> &turns, int frame)
+{
+    const auto next = std::lower_bound(turns.begin(), turns.end(), frame,
+                                       [](const TurnKeyframe &key, int f) { return key.frame < f; });
+    if (next == turns.begin())
+        return turnedWithThing(shot, points, *next, frame);
+    const TurnKeyframe &before = *std::prev(next);
+    const Quaternion ahead = turnedWithThing(shot, points, before, frame);
+    if (next == turns.end())
+        return ahead;
+    const double share = double(frame - before.frame) / double(next->frame - before.frame);
+    return ahead.slerp(share, turnedWithThing(shot, points, *next, frame));
+}
+
+// Size in the scene as a multiple of the canvas' own. With the thing: what is seen to grow and goes away
+// meanwhile grows twice.
+std::vector<double> scalesOf(const std::vector<TrackedPoint> &points, const CanvasKeyframes &keyframes,
+                             bool followsSize)
+{
+    std::vector<ScaleKeyframe> logs = keyframes.scales;
+    if (logs.empty())
+        logs = {{keyframes.positions.front().frame, 1.0}};
+    const auto thingAt = [&](int frame) {
+        const TrackedPoint &point = points[std::size_t(frame)];
+        return followsSize && point.depth > 0.0 ? std::log(point.growth * point.depth) : 0.0;
+    };
+    for (ScaleKeyframe &key : logs)
+        key.scale = std::log(key.scale) - thingAt(key.frame);
+    std::vector<double> scales;
+    for (int t = 0; t < int(points.size()); ++t)
+        scales.push_back(
+            std::exp(mixedAt(logs, t, [](const ScaleKeyframe &key) { return key.scale; }) + thingAt(t)));
+    return scales;
+}
+
 Result<std::vector<Quaternion>> turnedAlong(const std::vector<TrackedPoint> &points,
                                             const std::vector<TurnKeyframe> &turns,
                                             const OrientationOptions &options, const JobControl &control)
@@ -133,7 +188,7 @@ Result<std::vector<Quaternion>> turnedAlong(const std::vector<TrackedPoint> &poi
     return solveOrientations(trajectory, keyframes, options, control);
 }
 
-Result<std::vector<Quaternion>> orientationsOf(const std::vector<TrackedPoint> &points,
+Result<std::vector<Quaternion>> orientationsOf(const Shot &shot, const std::vector<TrackedPoint> &points,
                                                const std::vector<TurnKeyframe> &turns,
                                                const CanvasTrackOptions &options, const JobControl &control)
 {
@@ -150,6 +205,8 @@ Result<std::vector<Quaternion>> orientationsOf(const std::vector<TrackedPoint> &
         const bool isBetween = after != turns.begin() && after != turns.end();
         if (options.turning == CanvasTurning::Still || (isBetween && std::prev(after)->interpolatesNext))
             orientations[std::size_t(t)] = turnedBetween(turns, t);
+        else if (options.turning == CanvasTurning::WithThing)
+            orientations[std::size_t(t)] = turnedWithThing(shot, points, turns, t);
     }
     return orientations;
 }
@@ -188,18 +245,15 @@ Result<CanvasTrack> trackCanvas(const Shot &shot, const CanvasKeyframes &keyfram
         return points.error();
     moveToDepths(shot, depths, *points);
     const Result<std::vector<Quaternion>> orientations =
-        orientationsOf(*points, turnsOf(shot, keyframes), options, control);
+        orientationsOf(shot, *points, turnsOf(shot, keyframes), options, control);
+    const std::vector<double> scales = scalesOf(*points, keyframes, options.followsSize);
     if (!orientations)
         return orientations.error();
     CanvasTrack track;
     for (int t = 0; t < shot.frameCount(); ++t) {
         const TrackedPoint &point = (*points)[std::size_t(t)];
-        CanvasFrame frame{point.position, point.pixel, point.depth, (*orientations)[std::size_t(t)], 1.0,
-                          point.isVisible};
-        if (!keyframes.scales.empty())
-            frame.scale = std::exp(
-                mixedAt(keyframes.scales, t, [](const ScaleKeyframe &key) { return std::log(key.scale); }));
-        track.frames.push_back(frame);
+        track.frames.push_back({point.position, point.pixel, point.depth, (*orientations)[std::size_t(t)],
+                                scales[std::size_t(t)], point.isVisible});
     }
     return track;
 }

@@ -44,7 +44,8 @@ struct CanvasKeyframes
 /// What the canvas does between keyframes besides following its point.
 enum class CanvasTurning {
     AlongPath, // keeps its direction relative to where it goes (thesis Eq. VI.3)
-    Still      // turns from keyframe to keyframe only, by the shortest way
+    Still,     // turns from keyframe to keyframe only, by the shortest way
+    WithThing  // turns as the thing around its point does in the picture: the dancer of thesis Fig. VI.9
 };
 
 struct CanvasTrackOptions
@@ -52,6 +53,7 @@ struct CanvasTrackOptions
     TrackOptions track;
     OrientationOptions orientation;
     CanvasTurning turning = CanvasTurning::AlongPath;
+    bool followsSize = false; // grows between keyframes of its size as the thing around its point does
 };
 
 struct CanvasFrame

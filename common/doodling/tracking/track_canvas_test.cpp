@@ -44,6 +44,37 @@ CanvasKeyframes placedAt(int frame)
     return {{{frame, start + frame * speed, {}, false}}, {}, {}, {}};
 }
 
+// A textured disc that turns by 0.04 and grows by a hundredth a frame, before a ground that stands still.
+Shot turningShot()
+{
+    const Vec2 middle(160.0, 80.0);
+    const auto moved = [&](const Vec2 &p, int steps) -> Vec2 {
+        if ((p - middle).norm() > 75.0)
+            return p;
+        return middle + std::pow(1.01, steps) * (Eigen::Rotation2Dd(0.04 * steps) * (p - middle));
+    };
+    Shot shot = movingShot();
+    for (int t = 0; t < frames; ++t) {
+        Image picture(320, 160);
+        for (int y = 0; y < 160; ++y)
+            for (int x = 0; x < 320; ++x) {
+                const Vec2 p = moved({x + 0.5, y + 0.5}, -t);
+                const bool isDisc = (p - middle).norm() <= 75.0;
+                const auto shade = std::uint8_t(128 + 60 * std::sin(0.1 * p.x()) * std::cos(0.08 * p.y()));
+                picture.set(x, y, {shade, std::uint8_t(isDisc ? 60 : 200), 90, 255});
+            }
+        shot.pictures[std::size_t(t)] = smallPictureOf(picture);
+        if (t + 1 == frames)
+            break;
+        for (int cell = 0; cell < 3200; ++cell) {
+            const Vec2 p(4.0 * (cell % 80) + 2.0, 4.0 * (cell / 80) + 2.0);
+            shot.forward[std::size_t(t)].motions[std::size_t(cell)] = (moved(p, 1) - p).cast<float>();
+            shot.backward[std::size_t(t)].motions[std::size_t(cell)] = (moved(p, -1) - p).cast<float>();
+        }
+    }
+    return shot;
+}
+
 double angleBetween(const Eigen::Quaterniond &a, const Eigen::Quaterniond &b)
 {
     return a.angularDistance(b);
@@ -124,6 +155,34 @@ private slots:
         const auto track = trackCanvas(movingShot(), keys, {}, {});
         const Eigen::Quaterniond half(Eigen::AngleAxisd(0.5, Vec3::UnitZ()));
         QVERIFY(angleBetween(track->frames[10].worldFromCanvas, half) < 1e-9);
+    }
+    void turnsAndGrowsWithItsThing()
+    {
+        const Shot shot = turningShot();
+        CanvasKeyframes keys{{{10, {165.0, 80.0}, {}, false}}, {}, {}, {}};
+        CanvasTrackOptions options;
+        options.turning = CanvasTurning::WithThing;
+        options.followsSize = true;
+        const auto track = trackCanvas(shot, keys, options, {});
+        QVERIFY(track.ok());
+        for (int t : {0, 10, 20}) {
+            const CanvasFrame &frame = track->frames[std::size_t(t)];
+            const Eigen::Quaterniond turned(Eigen::AngleAxisd(0.04 * (t - 10), Vec3::UnitZ()));
+            QVERIFY2(angleBetween(frame.worldFromCanvas, turned) < 0.08,
+                     qPrintable(QString::number(angleBetween(frame.worldFromCanvas, turned))));
+            QVERIFY2(std::abs(frame.scale / std::pow(1.01, t - 10) - 1.0) < 0.04,
+                     qPrintable(QString::number(frame.scale)));
+        }
+        // Keyframes stay exact, whatever the thing does.
+        const Eigen::Quaterniond a(Eigen::AngleAxisd(0.4, Vec3::UnitY())),
+            b(Eigen::AngleAxisd(-1.2, Vec3::UnitZ()));
+        keys.turns = {{4, a, false}, {18, b, false}};
+        keys.scales = {{5, 2.0}, {15, 3.0}};
+        const auto kept = trackCanvas(shot, keys, options, {});
+        QVERIFY(angleBetween(kept->frames[4].worldFromCanvas, a) < 1e-6);
+        QVERIFY(angleBetween(kept->frames[18].worldFromCanvas, b) < 1e-6);
+        QVERIFY(std::abs(kept->frames[5].scale - 2.0) < 1e-9);
+        QVERIFY(std::abs(kept->frames[15].scale - 3.0) < 1e-9);
     }
     void wrongKeyframesAreRefused()
     {

@@ -47,7 +47,7 @@ std::vector<PathPoint> wholePath(const Shot &shot, const std::vector<CanvasKeyfr
 {
     std::vector<PathPoint> path(std::size_t(shot.frameCount()));
     const auto pixelKeyframe = [](const CanvasKeyframe &key) { return PixelKeyframe{key.frame, key.pixel}; };
-    const CanvasKeyframe &first = keyframes.front(), &last = keyframes.back();
+    const CanvasKeyframe &first = keyframes.front();
     const std::vector<PathPoint> before = pixelPath(shot, pixelKeyframe(first), {}, 0, options);
     for (std::size_t i = 0; i < before.size(); ++i)
         path[std::size_t(first.frame) - i] = before[i];
