@@ -40,6 +40,7 @@ void PaintTool::press(PaintingView &view, const CanvasPointer &pointer)
     mStroke = {};
     mStroke.section = mBrush.section;
     mBase = mDocument.sharedPainting();
+    mSeconds = loopedTime(view.seconds(), mBase->loopSeconds);
     mDepth =
         mBrush.onSurface ? placeAt(view, pointer.position, view.camera().pivot()) : view.camera().pivot();
     add(view, pointer);
@@ -100,6 +101,14 @@ act::Draw PaintTool::action() const
 {
     act::Draw draw;
     draw.layer = mBrush.layer;
+    if (const Layer *layer = mBase->findLayer(mBrush.layer)) {
+        // Into the drawing that is shown, and where the layer has been moved to the stroke is where it was
+        // painted.
+        draw.drawing = int(&layer->drawingAt(mSeconds) - layer->drawings.data());
+        const Placement motion = placementAt(layer->motion, mSeconds);
+        if (!(motion == Placement()))
+            draw.placement = placementOf(motion.matrix().inverse());
+    }
     draw.strokes = {std::make_shared<const ElementShape>(mStroke)};
     return draw;
 }
@@ -108,10 +117,11 @@ void PaintTool::release(PaintingView &view, const CanvasPointer &)
 {
     if (!mBase)
         return;
+    const act::Draw drawn = action();
     mBase = nullptr;
     view.setPreview(nullptr);
     if (!mStroke.points.empty())
-        (void)mDocument.perform(action()); // a refusal is told by the document's signal
+        (void)mDocument.perform(drawn); // a refusal is told by the document's signal
 }
 
 bool PaintTool::cancel(PaintingView &view)

@@ -36,6 +36,7 @@ private:
     const BrushState &mBrush;
     StrokeShape mStroke;
     std::shared_ptr<const Painting> mBase; // while painting
+    double mSeconds = 0;                   // the moment that is painted on
     QPointF mPosition;
     Vec3 mDepth = Vec3::Zero(); // where the stroke last was
 };

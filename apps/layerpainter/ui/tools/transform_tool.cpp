@@ -107,7 +107,19 @@ Placement TransformTool::change(PaintingView &view, const CanvasPointer &pointer
 
 act::Transform TransformTool::action(PaintingView &view, const CanvasPointer &pointer) const
 {
-    return {view.selection(), change(view, pointer)};
+    act::Transform done{view.selection(), change(view, pointer)};
+    // Actions change elements inside their layer, which may itself have been moved.
+    const Painting &painting = mDocument.painting();
+    const double seconds = loopedTime(view.seconds(), painting.loopSeconds);
+    for (const Layer *layer : painting.layers())
+        for (const Element &element : layer->drawingAt(seconds).elements)
+            if (element.id == done.elements.front()) {
+                const Eigen::Affine3d motion = placementAt(layer->motion, seconds).matrix();
+                if (!motion.isApprox(Eigen::Affine3d::Identity()) && !(done.change == Placement()))
+                    done.change = placementOf(motion.inverse() * done.change.matrix() * motion);
+                return done;
+            }
+    return done;
 }
 
 void TransformTool::move(PaintingView &view, const CanvasPointer &pointer)
@@ -143,8 +155,9 @@ void TransformTool::draw(PaintingView &view, QPainter &painter)
     const auto at = middle ? view.camera().project(*middle) : std::nullopt;
     if (!at || (mFrom && mGrip == Grip::Move))
         return;
-    const QColor accent = view.palette().color(QPalette::Highlight);
-    for (const auto &[colour, width] : {std::pair(QColor(0, 0, 0, 150), 4.0), std::pair(accent, 2.0)}) {
+    // Light on dark: seen on paintings of any colour.
+    for (const auto &[colour, width] :
+         {std::pair(QColor(0, 0, 0, 170), 4.0), std::pair(QColor(255, 255, 255, 235), 1.8)}) {
         painter.setPen(QPen(colour, width));
         painter.setBrush(Qt::NoBrush);
         painter.drawEllipse(*at, ringRadius, ringRadius);

@@ -94,6 +94,7 @@ private slots:
     void startsAnEmptyPainting();
     void exportsAPicture();
     void playsTheMotionAndKeepsViews();
+    void paintsWhereTheLayerHasMovedTo();
     void exportsAFilmInTheBackground();
     void importsIntoTheOpenPainting();
 
@@ -484,6 +485,36 @@ void PainterWindowTest::playsTheMotionAndKeepsViews()
     QCOMPARE(window.painting().painting().camera.keys.size(), keys);
     window.motion().setSeconds(0);
     QCOMPARE(view.picture(), start);
+}
+
+// "I stopped the motion, painted on the plane, and the stroke was elsewhere."
+void PainterWindowTest::paintsWhereTheLayerHasMovedTo()
+{
+    PainterWindow &window = *mApp->window;
+    PaintingView &view = window.view();
+    const auto plane =
+        std::ranges::find(window.painting().painting().stacks, std::string("Plane"), &Stack::name);
+    const LayerId layer = plane->substrate->id;
+    PlacementKey from, to;
+    to.timeSeconds = 2;
+    to.placement.translation = Vec3(0, 3, 0);
+    to.placement.rotation = Eigen::AngleAxisd(0.7, Vec3::UnitY());
+    QVERIFY(window.painting().perform(act::SetLayerMotion{layer, {from, to}}));
+    window.layers().tree().choose(layer);
+    window.motion().setSeconds(2);
+    mApp->press(Qt::Key_B);
+    const QPoint middle = view.rect().center();
+    mApp->drag({middle, middle + QPoint(30, 5), middle + QPoint(60, 10)});
+    const Layer *painted = window.painting().painting().findLayer(layer);
+    const auto shown = view.shownElements(*painted);
+    const auto &[element, place] = shown.back();
+    const auto &points = std::get<StrokeShape>(*element->shape).points;
+    const auto begin = view.camera().project(place * points.front().position.cast<double>());
+    QVERIFY(begin && QLineF(*begin, middle).length() < 3);
+    mApp->press(Qt::Key_Z, Qt::ControlModifier);
+    mApp->press(Qt::Key_Z, Qt::ControlModifier);
+    window.motion().setSeconds(0);
+    mApp->press(Qt::Key_O);
 }
 
 void PainterWindowTest::exportsAFilmInTheBackground()
