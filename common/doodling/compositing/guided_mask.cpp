@@ -48,6 +48,36 @@ std::vector<std::array<float, N>> windowMeans(const std::vector<std::array<float
     return result;
 }
 
+// The least and greatest value within \a reach cells: what lies deep in one side of a mask stays there,
+// however much its colours are those of the other side.
+std::vector<std::array<float, 2>> limitsOf(const CoarseMask &mask, int reach)
+{
+    std::vector<std::array<float, 2>> rows(mask.values.size()), result(mask.values.size());
+    const auto extend = [](std::array<float, 2> &to, float low, float high) {
+        to = {std::min(to[0], low), std::max(to[1], high)};
+    };
+    for (int y = 0; y < mask.height; ++y)
+        for (int x = 0; x < mask.width; ++x) {
+            std::array<float, 2> &to = rows[std::size_t(y) * std::size_t(mask.width) + std::size_t(x)];
+            to = {1.0f, 0.0f};
+            for (int k = std::max(0, x - reach); k <= std::min(mask.width - 1, x + reach); ++k) {
+                const float value = mask.values[std::size_t(y) * std::size_t(mask.width) + std::size_t(k)];
+                extend(to, value, value);
+            }
+        }
+    for (int y = 0; y < mask.height; ++y)
+        for (int x = 0; x < mask.width; ++x) {
+            std::array<float, 2> &to = result[std::size_t(y) * std::size_t(mask.width) + std::size_t(x)];
+            to = {1.0f, 0.0f};
+            for (int k = std::max(0, y - reach); k <= std::min(mask.height - 1, y + reach); ++k) {
+                const std::array<float, 2> &row =
+                    rows[std::size_t(k) * std::size_t(mask.width) + std::size_t(x)];
+                extend(to, row[0], row[1]);
+            }
+        }
+    return result;
+}
+
 // The picture's mean colour over a cell.
 std::array<float, 3> colourOf(const Image &picture, const CoarseMask &mask, int cx, int cy)
 {
@@ -106,6 +136,7 @@ std::vector<float> guidedMask(const CoarseMask &mask, const Image &picture, cons
     for (std::size_t i = 0; i < means.size(); ++i)
         lines[i] = fitted(means[i], options.epsilon);
     lines = windowMeans(lines, mask.width, mask.height, options.radius);
+    const std::vector<std::array<float, 2>> limits = limitsOf(mask, options.reach);
 
     std::vector<float> result(std::size_t(box.width()) * std::size_t(box.height()));
     parallelFor(
@@ -134,8 +165,11 @@ std::vector<float> guidedMask(const CoarseMask &mask, const Image &picture, cons
                     const float top = a[k] + along * (b[k] - a[k]), bottom = c[k] + along * (d[k] - c[k]);
                     value += (top + down * (bottom - top)) * (k < 3 ? p[k] / 255.0f : 1.0f);
                 }
+                const std::array<float, 2> &limit =
+                    limits[std::size_t(down < 0.5f ? low : high) * std::size_t(mask.width) +
+                           std::size_t(along < 0.5f ? left : right)];
                 result[row * std::size_t(box.width()) + std::size_t(x - box.left)] =
-                    std::clamp(value, 0.0f, 1.0f);
+                    std::clamp(value, limit[0], limit[1]);
             }
         },
         8);

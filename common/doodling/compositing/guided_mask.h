@@ -16,7 +16,8 @@ struct CoarseMask
 
 struct GuideOptions
 {
-    int radius = 4;        // cells: how far a mask's edge may lie beside the picture's
+    int radius = 4;        // cells: over so many to each side colours are compared
+    int reach = 3;         // cells: how far a mask's edge may lie beside the picture's
     double epsilon = 4e-4; // squared differences of colour (0..1) that count as an edge
 };
 
