@@ -3,6 +3,7 @@
 #include "base/sha256.h"
 #include "cli/batch_command.h"
 #include "cli/output_files.h"
+#include "doodling/reconstruction/knowledge_words.h"
 #include "doodling/storage/doodle_content.h"
 #include "project/project_writer.h"
 
@@ -63,8 +64,8 @@ ExitCode runAnalyseCommand(const QStringList &arguments)
     BatchParser parser(
         QStringLiteral("analyse"),
         QStringLiteral("Finds how a filmed scene moves and writes it into a project.\n\n"
-                       "CLIP: a video file, or a folder of pictures in name order. The camera is taken "
-                       "for standing still: canvases follow in the picture, at one depth."));
+                       "CLIP: a video file, or a folder of pictures in name order. Says how much "
+                       "of the camera's movement was found, and what that limits."));
     const QCommandLineOption output({QStringLiteral("o"), QStringLiteral("output")},
                                     QStringLiteral("The project to write."), QStringLiteral("P.ductus"));
     parser.addPositional(QStringLiteral("CLIP"), QStringLiteral("The clip."));
@@ -91,6 +92,10 @@ ExitCode runAnalyseCommand(const QStringList &arguments)
         return failed(job, written.error());
     job.control().progress(1.0, "Done");
     job.finishLine();
+    if (const auto content = doodleOf(*project); content && !parser.isQuiet()) {
+        const KnowledgeWords words = knowledgeWords(*(*content)->shot());
+        std::fprintf(stderr, "%s %s\n", words.mode.c_str(), words.limit.c_str());
+    }
     return ExitCode::Done;
 }
 

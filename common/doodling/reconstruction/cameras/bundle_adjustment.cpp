@@ -158,8 +158,9 @@ bool adjustBundle(Bundle &bundle, const BundleOptions &options, const JobControl
     solver.min_lm_diagonal = 1e-4; // the scale is free, and so are points that never come nearer
     solver.linear_solver_ordering.reset(ordering);
     solver.max_num_iterations = options.iterations;
-    solver.num_threads = 1; // sums in one order
-    solver.function_tolerance = 1e-5;
+    solver.initial_trust_region_radius = 100.0; // small first steps: two cameras alone hold hardly anything
+    solver.num_threads = 1;                     // sums in one order
+    solver.function_tolerance = 1e-4;
     solver.logging_type = ceres::SILENT;
     CancelCheck cancelCheck(control);
     solver.callbacks.push_back(&cancelCheck);

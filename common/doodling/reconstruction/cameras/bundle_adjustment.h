@@ -28,7 +28,7 @@ struct BundleOptions
     double likelyFocal = 0.0;  // pixels; 0: no opinion
     double focalSpread = 0.25; // of its logarithm, how firm that opinion is
     // The opinion counts as much as so many sightings a pixel off.
-    double focalTrust = 30.0;
+    double focalTrust = 200.0;
     // Where moving and turning look alike the path shall not tremble: a change of speed counts like so many
     // sightings that miss by what it moves the usual point in the picture. Cameras are in order of time.
     double smoothTrust = 4.0;

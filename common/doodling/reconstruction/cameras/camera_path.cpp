@@ -9,7 +9,7 @@ namespace ductus {
 
 namespace {
 
-constexpr double growthUntilAdjusting = 1.35;
+constexpr double growthUntilAdjusting = 1.4;
 constexpr int mostRays = 14;             // sightings a point is found from
 constexpr double sightingSpread = 0.4;   // pixels, of a track
 constexpr double mostDepthSpread = 0.25; // of the usual inverse depth: vaguer points wait for more frames
@@ -227,13 +227,12 @@ private:
         return misses.empty() ? 0.0 : misses[misses.size() * 3 / 4];
     }
 
-    std::vector<int> adjustedFrames() const
+    std::vector<int> adjustedFrames(int most) const
     {
         std::vector<int> known;
         for (int t = 0; t < frameCount(); ++t)
             if (mPath.isKnown[std::size_t(t)])
                 known.push_back(t);
-        const int most = mOptions.mostAdjustedFrames;
         if (int(known.size()) <= most)
             return known;
         std::vector<int> thinned;
@@ -244,7 +243,8 @@ private:
 
     void adjust(bool solvesFocal, bool isLast = false)
     {
-        const std::vector<int> frames = adjustedFrames();
+        const std::vector<int> frames =
+            adjustedFrames(isLast ? mOptions.mostAdjustedFrames : mOptions.mostAdjustedFrames / 2);
         Bundle bundle;
         std::vector<int> cameraOf(std::size_t(frameCount()), -1);
         for (int t : frames) {
@@ -263,7 +263,7 @@ private:
         BundleOptions options;
         options.isRotationOnly = mIsRotationOnly;
         options.solvesFocal = solvesFocal;
-        options.iterations = isLast ? 40 : 8;
+        options.iterations = isLast ? 25 : 10;
         const double usual = mIsRotationOnly ? 0.0 : usualInverseDepth();
         options.usualDepth = usual > 0.0 ? 1.0 / usual : 0.0;
         const Vec2 centre = bundle.cameras.front().centre;
@@ -324,6 +324,7 @@ private:
     {
         std::size_t explained = 0, all = 0;
         std::vector<double> medians;
+        std::vector<int> explainedIn(mTracksIn.size(), 0);
         for (std::size_t i = 0; i < mTracks.size(); ++i) {
             all += mTracks[i].pixels.size();
             if (!mPath.points[i])
@@ -334,10 +335,15 @@ private:
                 const std::optional<Vec2> seen = projected(camera(t), *mPath.points[i]);
                 const double miss = seen ? (*seen - mTracks[i].at(t)).norm() : 1e6;
                 explained += miss < mMostMiss;
+                explainedIn[std::size_t(t)] += miss < mMostMiss;
                 medians.push_back(miss);
             }
         }
         mPath.explainedShare = all > 0 ? double(explained) / double(all) : 0.0;
+        mPath.leastFrameShare = 1.0;
+        for (std::size_t t = 0; t < mTracksIn.size(); ++t)
+            mPath.leastFrameShare = std::min(
+                mPath.leastFrameShare, double(explainedIn[t]) / std::max(1.0, double(mTracksIn[t].size())));
         mPath.medianMiss = medianOf(std::move(medians));
     }
 

@@ -10,8 +10,8 @@ namespace ductus {
 struct CameraPathOptions
 {
     double likelyFocalShare = 0.95; // of the longer side: a phone's main lens
-    int mostAdjustedFrames = 60;    // more are fitted to the points afterwards
-    int mostAdjustedPoints = 700;
+    int mostAdjustedFrames = 60;    // more are fitted to the points afterwards; half as many while growing
+    int mostAdjustedPoints = 500;
     double mostMiss = 1.5; // pixels at 854 of width: of a point that stands still
     int fewestPoints = 16; // a camera needs
 };
@@ -23,6 +23,8 @@ struct CameraPath
     std::vector<std::optional<HomogeneousPoint>> points; // one a track; nothing for what moves by itself
     /// Of all sightings in all tracks, the share that this explains to mostMiss.
     double explainedShare = 0.0;
+    /// The same for the frame in which it is least: where the path is lost it falls to nothing.
+    double leastFrameShare = 0.0;
     double medianMiss = 0.0; // pixels, of the points
 
     bool isComplete() const;

@@ -9,12 +9,14 @@ namespace {
 
 constexpr double stillPixels = 1.0; // at 854 of width: further from its first place a track has moved
 constexpr double stillOnTripod = 0.55;
-constexpr std::size_t mostStarts = 3;
-constexpr double goodExplained = 0.75; // no second start is tried
+constexpr double mostTurnOnTripod = 2.0; // pixels at 854 of width
+constexpr std::size_t mostStarts = 2;
+constexpr double goodExplained = 0.6; // no second start is tried
 // To be called solved, the cameras must leave turning far behind.
 constexpr double leastParallax = 1.5;      // pixels at 854 of width
 constexpr double leastParallaxShare = 3.0; // of their own miss
 constexpr double leastExplained = 0.25;
+constexpr double leastFrameShare = 0.12; // of a frame's tracks: else the path is lost there
 
 double quantileOf(std::vector<double> values, double share)
 {
@@ -81,6 +83,18 @@ CameraPath bestMovingPath(const std::vector<PointTrack> &tracks, int frameCount,
     return best;
 }
 
+// How far the picture's middle moves by turning.
+double turnedPixels(const std::vector<ShotCamera> &cameras)
+{
+    double furthest = 0.0;
+    for (const ShotCamera &camera : cameras) {
+        const Eigen::Matrix3d turn =
+            cameras.front().worldFromCamera.linear().transpose() * camera.worldFromCamera.linear();
+        furthest = std::max(furthest, Eigen::AngleAxisd(turn).angle() * camera.focal);
+    }
+    return furthest;
+}
+
 // Where the path ends the camera stays as it was.
 void fillUnknown(CameraPath &path)
 {
@@ -117,12 +131,14 @@ CameraSolution solveCameras(const std::vector<PointTrack> &tracks, int frameCoun
     CameraPath moving = bestMovingPath(tracks, frameCount, lens, options, control.part(0.3, 1.0));
     if (control.isCancelled())
         return solution;
+    const CameraSolution standing = solution;
     solution.knowledge = CameraKnowledge::RotationOnly;
     solution.explainedShare = turning.explainedShare;
     solution.medianMiss = turning.medianMiss;
     if (!moving.cameras.empty())
         solution.parallax = parallaxOf(tracks, moving, turning);
     const bool isSolved = !moving.cameras.empty() && moving.isComplete() &&
+                          moving.leastFrameShare > leastFrameShare &&
                           moving.explainedShare > std::max(leastExplained, turning.explainedShare) &&
                           solution.parallax > leastParallax * unit &&
                           solution.parallax > leastParallaxShare * moving.medianMiss;
@@ -132,6 +148,8 @@ CameraSolution solveCameras(const std::vector<PointTrack> &tracks, int frameCoun
         solution.medianMiss = moving.medianMiss;
         solution.points = std::move(moving.points);
     }
+    if (!isSolved && turnedPixels(turning.cameras) < mostTurnOnTripod * unit)
+        return standing; // what moved in the picture was not the camera's doing
     solution.cameras = isSolved ? std::move(moving.cameras) : std::move(turning.cameras);
     return solution;
 }

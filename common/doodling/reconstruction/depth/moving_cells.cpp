@@ -13,6 +13,8 @@ namespace {
 constexpr std::array gaps = {1, 2, 4, 8};
 constexpr double surelyStill = 0.6; // pixels at 854 of width
 constexpr double surelyMoving = 2.2;
+constexpr double mostArea = 0.6;     // of the picture: more is no thing that moves, but a camera misjudged
+constexpr float stillWeight = 0.02f; // most things stand still
 constexpr double leastArea = 0.0015; // of the picture
 constexpr float voteDecay = 0.93f;   // a frame
 
@@ -91,11 +93,23 @@ OwnMotion ownMotion(const Shot &shot, int frame)
 std::vector<float> movingLikelihood(const OwnMotion &motion, const EdgeWeights &edges, double width)
 {
     const double unit = std::max(0.5, width / 854.0);
-    std::vector<float> likelihoods;
-    for (float pixels : motion.pixels)
-        likelihoods.push_back(float(
-            std::clamp((double(pixels) / unit - surelyStill) / (surelyMoving - surelyStill), 0.0, 1.0)));
-    return smoothed(edges, likelihoods, motion.trusts, {6.0, 2});
+    const std::size_t rowLength = std::size_t(edges.width);
+    std::vector<float> likelihoods, weights;
+    for (std::size_t i = 0; i < motion.pixels.size(); ++i) {
+        // In plain places flow is whatever is around: it tells little.
+        float alike = std::min(edges.right[i] > 0.0f ? edges.right[i] : 1.0f,
+                               edges.down[i] > 0.0f ? edges.down[i] : 1.0f);
+        if (i % rowLength > 0)
+            alike = std::min(alike, edges.right[i - 1]);
+        if (i >= rowLength)
+            alike = std::min(alike, edges.down[i - rowLength]);
+        const float weight = motion.trusts[i] * (0.03f + std::max(0.0f, 1.0f - alike));
+        const double pixels = double(motion.pixels[i]) / unit;
+        const double likelihood = std::clamp((pixels - surelyStill) / (surelyMoving - surelyStill), 0.0, 1.0);
+        likelihoods.push_back(float(likelihood) * weight / (weight + stillWeight));
+        weights.push_back(weight + stillWeight);
+    }
+    return smoothed(edges, likelihoods, weights, {6.0, 2});
 }
 
 void voteAlongFlow(const Shot &shot, std::vector<std::vector<std::uint8_t>> &likelihoods)
@@ -143,7 +157,9 @@ numberedObjects(const Shot &shot, const std::vector<std::vector<std::uint8_t>> &
                                             float((double(i / width) + 0.5) * grid.cellSize));
                 expected[i] = numbers[t - 1][cellOf(grid, pixel + back.motions[i])];
             }
-        for (std::size_t seed = 0; seed < cells; ++seed) {
+        const auto moving = std::count_if(likelihoods[t].begin(), likelihoods[t].end(),
+                                          [](std::uint8_t likelihood) { return likelihood >= 128; });
+        for (std::size_t seed = 0; seed < cells && double(moving) <= mostArea * double(cells); ++seed) {
             if (isDone[seed] || likelihoods[t][seed] < 128)
                 continue;
             std::vector<std::size_t> group = {seed};

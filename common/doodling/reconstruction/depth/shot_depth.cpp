@@ -19,20 +19,27 @@ constexpr double goodSpread = 0.04;          // of the usual inverse depth: exac
 constexpr double mostStillMiss = 1.3;        // pixels at 854 of width
 constexpr double oddDeviation = 0.2;         // of a cell's disparity, from what is around
 constexpr double leastDisparityShare = 0.02; // of the usual one
+constexpr double beyondPoints = 1.6;         // how much nearer than the nearest points anything may be
+constexpr double floating = 1.7;             // times nearer than all below it, and than what is usual
 constexpr float wideWeight = 0.03f;          // of what lies around, where a cell itself is known
 constexpr float pastWeight = 0.35f;          // of the frame before
 
-double medianOf(std::vector<double> values)
+struct DepthRange
 {
-    if (values.empty())
-        return 0.0;
-    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
+    double usual = 0.0; // inverse depths
+    double most = 0.0;  // nearer than all but a few
+};
+
+DepthRange rangeOf(std::vector<double> inverses)
+{
+    if (inverses.empty())
+        return {};
+    std::sort(inverses.begin(), inverses.end());
+    return {inverses[inverses.size() / 2], inverses[std::size_t(0.98 * double(inverses.size() - 1))]};
 }
 
-// One over the usual depth of the points as the cameras see them.
-double usualInverseDepth(const Shot &shot, const std::vector<std::optional<HomogeneousPoint>> &points)
+// Of the points as the cameras see them.
+DepthRange depthRange(const Shot &shot, const std::vector<std::optional<HomogeneousPoint>> &points)
 {
     std::vector<double> inverses;
     for (int t = 0; t < shot.frameCount(); t += std::max(1, shot.frameCount() / 8))
@@ -45,14 +52,33 @@ double usualInverseDepth(const Shot &shot, const std::vector<std::optional<Homog
             if (seen && seen->x() > 0 && seen->y() > 0 && seen->x() < shot.width && seen->y() < shot.height)
                 inverses.push_back(1.0 / camera.depthOf(place));
         }
-    return medianOf(std::move(inverses));
+    return rangeOf(std::move(inverses));
+}
+
+// Things stand on the ground, which comes nearer downwards: what seems far nearer than all below it moves
+// along the camera's way and only looks near.
+void distrustFloating(const std::vector<float> &inverseDepths, const std::vector<float> &wide, int width,
+                      int height, double usual, std::vector<float> &weights)
+{
+    for (int x = 0; x < width; ++x) {
+        float nearestBelow = 0.0f;
+        for (int y = height - 1; y >= 0; --y) {
+            const std::size_t i = std::size_t(y) * std::size_t(width) + std::size_t(x);
+            const double most = floating * std::max(double(nearestBelow), usual);
+            if (double(inverseDepths[i]) > most && y < height - 2)
+                weights[i] *= 0.02f;
+            else
+                nearestBelow = std::max(nearestBelow, wide[i]);
+        }
+    }
 }
 
 class DepthFinder
 {
 public:
-    DepthFinder(Clip &clip, int mostLines, Shot &shot, const JobControl &control)
-        : mClip(clip), mMostLines(mostLines), mShot(shot), mControl(control), mGrid(shot.forward.front())
+    DepthFinder(Clip &clip, int mostLines, double nearest, Shot &shot, const JobControl &control)
+        : mClip(clip), mMostLines(mostLines), mNearest(nearest), mShot(shot), mControl(control),
+          mGrid(shot.forward.front())
     {
     }
 
@@ -125,6 +151,7 @@ private:
                                (oddDeviation * std::max(double(wide[i]), 0.3 * usual));
             weights[i] *= float(1.0 / (1.0 + odd * odd));
         }
+        distrustFloating(measured.inverseDepths, wide, mGrid.width, mGrid.height, usual, weights);
         wide = smoothed(*edges, measured.inverseDepths, weights, {600.0, 3});
         const std::vector<float> past = carried(frame, before);
         std::vector<float> values(weights.size());
@@ -148,13 +175,15 @@ private:
         const double mostMiss = mostStillMiss * std::max(0.6, mShot.width / 854.0);
         std::vector<float> weights;
         for (std::size_t i = 0; i < objects.size(); ++i) {
-            const double spread =
-                double(measured.spreads[i]) / std::max(usual, double(measured.inverseDepths[i]));
-            const bool isStill = objects[i] == 0 && measured.misses[i] >= 0.0f &&
-                                 double(measured.misses[i]) < mostMiss && std::isfinite(spread) &&
-                                 double(measured.inverseDepths[i]) > -2.0 * double(measured.spreads[i]);
-            weights.push_back(isStill ? float(1.0 / (1.0 + spread * spread / (goodSpread * goodSpread)))
-                                      : 0.0f);
+            const double inverse = double(measured.inverseDepths[i]);
+            const double spread = double(measured.spreads[i]);
+            const double share = spread / std::max(usual, inverse);
+            const bool isMeasured = std::isfinite(spread) && inverse < mNearest && inverse > -2.0 * spread;
+            const bool isStill =
+                objects[i] == 0 && measured.misses[i] >= 0.0f && double(measured.misses[i]) < mostMiss;
+            weights.push_back(isMeasured && isStill
+                                  ? float(1.0 / (1.0 + share * share / (goodSpread * goodSpread)))
+                                  : 0.0f);
         }
         return weights;
     }
@@ -197,6 +226,7 @@ private:
 
     Clip &mClip;
     int mMostLines;
+    double mNearest; // inverse depth: what seems nearer was measured wrongly
     Shot &mShot;
     const JobControl &mControl;
     const FlowField &mGrid;
@@ -209,15 +239,18 @@ Result<void> findDepth(Clip &clip, const std::vector<std::optional<HomogeneousPo
                        Shot &shot, const JobControl &control)
 {
     shot.depths.clear();
+    double nearest = 10.0 / shot.sceneDepth; // inverse depth
     if (shot.forward.empty())
         return {}; // a single picture: all of it at the scene's depth
     if (shot.knowledge == CameraKnowledge::SolvedCameras) {
-        const double usual = usualInverseDepth(shot, points);
-        if (usual > 0.0)
+        const DepthRange range = depthRange(shot, points);
+        if (range.usual > 0.0) {
             for (ShotCamera &camera : shot.cameras)
-                camera.worldFromCamera.translation() *= usual * shot.sceneDepth;
+                camera.worldFromCamera.translation() *= range.usual * shot.sceneDepth;
+            nearest = beyondPoints * range.most / (range.usual * shot.sceneDepth);
+        }
     }
-    return DepthFinder(clip, mostLines, shot, control).find();
+    return DepthFinder(clip, mostLines, nearest, shot, control).find();
 }
 
 } // namespace ductus
