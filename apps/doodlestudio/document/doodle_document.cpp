@@ -1,9 +1,11 @@
 #include "doodlestudio/document/doodle_document.h"
 
 #include "document/project_picture.h"
+#include "doodling/canvas/edit_scene.h"
 
 #include <QDir>
 #include <QFileInfo>
+#include <QUndoCommand>
 
 namespace ductus {
 
@@ -20,6 +22,37 @@ QString seenFrom(const QString &folder, const QString &path)
 
 } // namespace
 
+/// The one undo command of DoodleStudio: this scene becomes that scene. Marks are shared between scenes, so a
+/// step costs little.
+class EditScene : public QUndoCommand
+{
+public:
+    EditScene(DoodleDocument &document, const QString &text, std::shared_ptr<const DoodleScene> after,
+              quint64 drag)
+        : QUndoCommand(text), mDocument(document), mBefore(document.sharedScene()), mAfter(std::move(after)),
+          mDrag(drag)
+    {
+    }
+
+    void redo() override { mDocument.show(mAfter); }
+    void undo() override { mDocument.show(mBefore); }
+    int id() const override { return mDrag > 0 ? 1 : -1; }
+
+    bool mergeWith(const QUndoCommand *other) override
+    {
+        const auto *next = dynamic_cast<const EditScene *>(other);
+        if (!next || next->mDrag != mDrag || next->text() != text())
+            return false;
+        mAfter = next->mAfter;
+        return true;
+    }
+
+private:
+    DoodleDocument &mDocument;
+    std::shared_ptr<const DoodleScene> mBefore, mAfter;
+    quint64 mDrag;
+};
+
 Shot plainShot(const ClipReference &clip)
 {
     Shot shot;
@@ -33,7 +66,10 @@ Shot plainShot(const ClipReference &clip)
     return shot;
 }
 
-DoodleDocument::DoodleDocument(QObject *parent) : Document(parent), mDocumentId(Uuid::create()) {}
+DoodleDocument::DoodleDocument(QObject *parent)
+    : Document(parent), mScene(std::make_shared<const DoodleScene>()), mDocumentId(Uuid::create())
+{
+}
 
 QString DoodleDocument::clipPath() const
 {
@@ -52,11 +88,60 @@ void DoodleDocument::start(const QString &path, ClipReference clip)
     setUntitledName(QFileInfo(path).completeBaseName());
 }
 
+Result<void> DoodleDocument::startSample(Project project, const QString &path, const QString &name)
+{
+    if (Result<void> loaded = load(std::move(project), {}); !loaded)
+        return loaded;
+    mClip.path = QFileInfo(path).absoluteFilePath().toStdString();
+    setUntitledName(name);
+    return {};
+}
+
 void DoodleDocument::relocateClip(const QString &path)
 {
     mClip.path = QFileInfo(path).absoluteFilePath().toStdString();
     touch();
     emit changed(ClipChanged());
+}
+
+bool DoodleDocument::edit(const QString &text, Result<DoodleScene> scene, quint64 drag)
+{
+    if (!scene) {
+        emit refused(scene.error());
+        return false;
+    }
+    undoStack()->push(
+        new EditScene(*this, text, std::make_shared<const DoodleScene>(std::move(*scene)), drag));
+    return true;
+}
+
+bool DoodleDocument::editCanvas(const QString &text, Result<Canvas> canvas, quint64 drag)
+{
+    if (!canvas) {
+        emit refused(canvas.error());
+        return false;
+    }
+    return edit(text, withChangedCanvas(*mScene, std::move(*canvas)), drag);
+}
+
+bool DoodleDocument::editDoodle(const QString &text, CanvasId id, Result<Doodle> doodle, quint64 drag)
+{
+    const Canvas *old = canvas(id);
+    if (!old)
+        return false;
+    if (!doodle) {
+        emit refused(doodle.error());
+        return false;
+    }
+    Canvas changed = *old;
+    changed.doodle = std::move(*doodle);
+    return edit(text, withChangedCanvas(*mScene, std::move(changed)), drag);
+}
+
+void DoodleDocument::show(std::shared_ptr<const DoodleScene> scene)
+{
+    mScene = std::move(scene);
+    emit changed(SceneChanged());
 }
 
 void DoodleDocument::setShot(std::shared_ptr<const Shot> shot)
@@ -85,8 +170,10 @@ Result<void> DoodleDocument::readFrom(const Project &project)
         if (document.content == mContent)
             mDocumentId = document.id;
     mClip = mContent->clip();
-    mShot = mContent->shot();
+    // Saved before the analysis was done: cameras and nothing else.
+    mShot = mContent->shot()->features.empty() ? nullptr : mContent->shot();
     mPlainShot = nullptr;
+    mScene = mContent->scene();
     mPicture = {};
     undoStack()->clear();
     return {};
@@ -96,7 +183,8 @@ void DoodleDocument::writeTo(Project &project) const
 {
     ClipReference clip = mClip;
     clip.path = seenFrom(mSnapshotFolder, clipPath()).toStdString();
-    auto content = std::make_shared<const DoodleContent>(std::move(clip), mShot ? mShot : sceneShot());
+    auto content = std::make_shared<const DoodleContent>(
+        std::move(clip), sceneShot(), mContent ? mContent->unknown() : UnknownMembers(), mScene);
     if (ProjectDocument *document = project.find(mDocumentId)) {
         document->content = std::move(content);
         document->name = displayName().toStdString();
@@ -111,6 +199,7 @@ void DoodleDocument::writeTo(Project &project) const
 
 void DoodleDocument::clear()
 {
+    mScene = std::make_shared<const DoodleScene>();
     mClip = {};
     mShot = nullptr;
     mPlainShot = nullptr;

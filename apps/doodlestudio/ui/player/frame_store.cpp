@@ -8,10 +8,10 @@ namespace ductus {
 namespace {
 
 constexpr double mostBytes = 320e6;
-constexpr int fewest = 8;
+constexpr int fewestPictures = 8;
 
 // The clip's memory is gone when this returns: the picture owns its own.
-QImage pictureOf(const Image &image)
+QImage decodedPicture(const Image &image)
 {
     const QImage view(image.pixels.data(), image.width, image.height, image.width * 4,
                       QImage::Format_RGBA8888);
@@ -46,15 +46,16 @@ void FrameStore::setClip(std::shared_ptr<Clip> clip)
     mWake.notify_all();
 }
 
-void FrameStore::setMostLines(int lines)
+bool FrameStore::setMostLines(int lines)
 {
     const std::lock_guard lock(mMutex);
     if (lines == mMostLines)
-        return;
+        return false;
     mMostLines = lines;
     mPictures.clear();
     ++mGeneration;
     mWake.notify_all();
+    return true;
 }
 
 QImage FrameStore::frame(int index) const
@@ -96,7 +97,7 @@ int FrameStore::capacity() const
     if (!mClip)
         return 0;
     const auto [width, height] = scaledSize(mClip->info().width, mClip->info().height, mMostLines);
-    return std::max(fewest, int(mostBytes / (4.0 * width * height)));
+    return std::max(fewestPictures, int(mostBytes / (4.0 * width * height)));
 }
 
 int FrameStore::storedCount() const
@@ -119,7 +120,7 @@ int FrameStore::nextWanted() const
     if (!mPictures.contains(mWanted))
         return mWanted;
     const auto [width, height] = scaledSize(mClip->info().width, mClip->info().height, mMostLines);
-    const int most = std::max(fewest, int(mostBytes / (4.0 * width * height)));
+    const int most = std::max(fewestPictures, int(mostBytes / (4.0 * width * height)));
     // A fifth of the room is for what was just seen: stepping back is as quick as stepping on.
     const int ahead = std::min(mFrameCount, most - most / 5);
     for (int i = 1; i < ahead; ++i) {
@@ -133,7 +134,7 @@ int FrameStore::nextWanted() const
 void FrameStore::keep(int index, QImage picture)
 {
     const auto [width, height] = scaledSize(mClip->info().width, mClip->info().height, mMostLines);
-    const auto most = std::size_t(std::max(fewest, int(mostBytes / (4.0 * width * height))));
+    const auto most = std::size_t(std::max(fewestPictures, int(mostBytes / (4.0 * width * height))));
     mPictures[index] = std::move(picture);
     const int reach = std::max(1, int(most) / 5);
     while (mPictures.size() > most) {
@@ -165,7 +166,7 @@ void FrameStore::run()
         const std::shared_ptr<Clip> clip = mClip;
         lock.unlock();
         Result<Image> image = clip->frame(index, lines);
-        QImage picture = image ? pictureOf(*image) : QImage();
+        QImage picture = image ? decodedPicture(*image) : QImage();
         lock.lock();
         if (generation != mGeneration)
             continue;

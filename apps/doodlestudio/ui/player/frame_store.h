@@ -27,8 +27,9 @@ public:
     void setClip(std::shared_ptr<Clip> clip);
     int frameCount() const { return mFrameCount; }
 
-    /// Pictures of at most so many lines; 0: as they are. Forgets all pictures.
-    void setMostLines(int lines);
+    /// Pictures of at most so many lines; 0: as they are. Forgets all pictures if that is another number;
+    /// true then.
+    bool setMostLines(int lines);
 
     /// The picture if it is there, else a null one. Never waits.
     QImage frame(int index) const;

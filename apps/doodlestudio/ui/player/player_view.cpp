@@ -13,7 +13,7 @@ namespace ductus {
 
 namespace {
 
-constexpr double margin = 12.0;
+constexpr double pictureMargin = 12.0;
 constexpr double mostZoom = 12.0;
 
 } // namespace
@@ -74,7 +74,7 @@ QRectF PlayerView::pictureRect() const
 {
     if (mWorkingSize.isEmpty())
         return {};
-    const QRectF room = QRectF(rect()).adjusted(margin, margin, -margin, -margin);
+    const QRectF room = QRectF(rect()).adjusted(pictureMargin, pictureMargin, -pictureMargin, -pictureMargin);
     const QSizeF fitting = QSizeF(mWorkingSize).scaled(room.size(), Qt::KeepAspectRatio);
     const QSizeF size = fitting * mZoom;
     const QPointF middle = room.center();

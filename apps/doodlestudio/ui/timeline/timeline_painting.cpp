@@ -1,6 +1,7 @@
 // How the timeline looks.
 #include "doodlestudio/ui/timeline/timeline_view.h"
 
+#include "doodlestudio/ui/timeline/timeline_metrics.h"
 #include "widgets/theme/theme.h"
 
 #include <QPainter>
@@ -12,11 +13,6 @@
 namespace ductus {
 
 namespace {
-
-constexpr int rulerHeight = 22;
-constexpr int rowHeight = 44;
-constexpr int soundHeight = 32;
-constexpr int headerWidth = 132;
 
 // A distance between labels of the ruler that people count in, at least \a least seconds.
 double labelStep(double least)

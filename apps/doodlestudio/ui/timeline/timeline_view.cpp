@@ -1,5 +1,6 @@
 #include "doodlestudio/ui/timeline/timeline_view.h"
 
+#include "doodlestudio/ui/timeline/timeline_metrics.h"
 #include "widgets/theme/theme.h"
 
 #include <QEvent>
@@ -16,12 +17,8 @@ namespace ductus {
 
 namespace {
 
-constexpr int rulerHeight = 22;
-constexpr int rowHeight = 44;
-constexpr int soundHeight = 32;
-constexpr int headerWidth = 132;
 constexpr int rightMargin = 12;
-constexpr double reach = 7.0; // pixels around a mark that hit it
+constexpr double markReach = 7.0; // pixels around a mark that hit it
 constexpr int snapFrames = 1;
 
 } // namespace
@@ -153,11 +150,11 @@ TimelineView::Hit TimelineView::hitAt(const QPoint &position) const
     hit.row = row;
     if (position.x() < headerWidth)
         return hit;
-    double nearest = reach;
+    double nearest = markReach;
     for (const TimelineMark &mark : mRows[row].marks) {
         const double dx = std::abs(xOf(mark.frame + 0.5) - position.x());
         const double dy = std::abs(markY(row, mark.kind) - position.y());
-        if (dy <= reach && dx <= nearest) {
+        if (dy <= markReach && dx <= nearest) {
             nearest = dx;
             hit.mark = mark;
         }

@@ -1,4 +1,7 @@
 // Actions and menus of DoodleStudio's window.
+#include "doodlestudio/ui/canvases/canvas_list.h"
+#include "doodlestudio/ui/canvases/canvas_panel.h"
+#include "doodlestudio/ui/drawing/drawing_panel.h"
 #include "doodlestudio/ui/player/player_view.h"
 #include "doodlestudio/ui/timeline/transport_bar.h"
 #include "doodlestudio/ui/window/studio_window.h"
@@ -6,6 +9,8 @@
 #include "widgets/theme/icons.h"
 
 #include <QMenu>
+#include <QToolButton>
+#include <algorithm>
 
 namespace ductus {
 
@@ -44,6 +49,18 @@ void StudioWindow::addFileActions()
              {QKeySequence("Ctrl+Shift+S")},
              file},
             [this] { saveAs(); });
+    QAction *exportFilm = all.add({"file.export",
+                                   tr("&Export..."),
+                                   tr("Makes a film, a moving picture for slides, or an overlay."),
+                                   "document-export",
+                                   {QKeySequence("Ctrl+E")},
+                                   file},
+                                  [this] { openExport(); });
+    auto *button = new QToolButton;
+    button->setDefaultAction(exportFilm);
+    button->setText(tr("Export"));
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    addToTopRow(button);
 }
 
 void StudioWindow::addPlayActions()
@@ -118,6 +135,168 @@ void StudioWindow::addPlayActions()
         mTransport->addButton(all.action(QLatin1String(id)));
 }
 
+void StudioWindow::addCanvasActions()
+{
+    ActionCatalogue &all = actions();
+    const QString canvas = tr("Canvas");
+    all.add({"canvas.follow",
+             tr("&Follow what is here"),
+             tr("Pins the canvas to what is under its middle; it follows from then on."),
+             "pin",
+             {QKeySequence(Qt::Key_F)},
+             canvas},
+            [this] { mCanvasPanel->pinHere(); });
+    all.add({"canvas.stay",
+             tr("S&tay here"),
+             tr("Lets the canvas stand still in the scene where it is now."),
+             {},
+             {QKeySequence("Shift+F")},
+             canvas},
+            [this] { mCanvasPanel->setFollows(false); });
+    all.add({"canvas.face",
+             tr("Face the &camera"),
+             tr("Turns the canvas straight to the camera in this frame."),
+             {},
+             {QKeySequence(Qt::Key_C)},
+             canvas},
+            [this] { mCanvasPanel->faceCamera(); });
+    all.add({"canvas.nextKeyframe",
+             tr("&Next keyframe"),
+             tr("Goes to the next frame in which the canvas is pinned, turned or sized."),
+             "keyframe-next",
+             {QKeySequence("Ctrl+Right")},
+             canvas},
+            [this] { goToKeyframe(1); });
+    all.add({"canvas.previousKeyframe",
+             tr("&Previous keyframe"),
+             tr("Goes to the keyframe before."),
+             "keyframe-previous",
+             {QKeySequence("Ctrl+Left")},
+             canvas},
+            [this] { goToKeyframe(-1); });
+    all.add({"canvas.duplicate",
+             tr("&Duplicate canvas"),
+             tr("A second canvas with the same drawings, beside this one."),
+             "edit-copy",
+             {QKeySequence("Ctrl+D")},
+             canvas},
+            [this] { mCanvasList->duplicateChosen(); });
+    all.add({"canvas.remove",
+             tr("&Take canvas away"),
+             tr("Takes the canvas and its drawings away."),
+             "edit-delete",
+             {QKeySequence("Ctrl+Delete")},
+             canvas},
+            [this] { mCanvasList->removeChosen(); });
+    all.add({"scene.analyse",
+             tr("&Look at the scene again"),
+             tr("Finds anew how the camera and all else moves; drawings stay."),
+             "view-refresh",
+             {},
+             tr("Scene")},
+            [this] {
+                if (!mDoodle.isEmpty())
+                    analyse();
+            });
+    all.add({"edit.escape",
+             tr("Cancel"),
+             tr("Gives up what was begun; then the choice."),
+             "dialog-cancel",
+             {QKeySequence("Esc")},
+             tr("Edit")},
+            [this] {
+                if (mHand.isDrawing())
+                    mHand.cancel();
+                else if (!mPlayer->cancelDrag())
+                    mState.choose({});
+            });
+}
+
+void StudioWindow::addDrawingActions()
+{
+    ActionCatalogue &all = actions();
+    const QString draw = tr("Draw");
+    const struct
+    {
+        const char *id;
+        QString text, teaches;
+        const char *icon;
+        Qt::Key key;
+        DrawingTool tool;
+    } tools[] = {{"draw.pen", tr("&Pen"), tr("Draws lines."), "draw-freehand", Qt::Key_P, DrawingTool::Pen},
+                 {"draw.fill", tr("&Filled shape"), tr("Draw an outline; what is inside is filled."),
+                  "shape-fill", Qt::Key_G, DrawingTool::Fill},
+                 {"draw.arrow", tr("&Arrow"), tr("Points at something."), "arrow-right", Qt::Key_A,
+                  DrawingTool::Arrow},
+                 {"draw.words", tr("&Words"), tr("Type words, then click where they should stand."),
+                  "draw-text", Qt::Key_T, DrawingTool::Text},
+                 {"draw.sticker", tr("&Sticker"), tr("Ready-made drawings."), "sticker", Qt::Key_S,
+                  DrawingTool::Sticker},
+                 {"draw.eraser", tr("&Eraser"), tr("Takes parts of lines away."), "draw-eraser", Qt::Key_E,
+                  DrawingTool::Eraser},
+                 {"draw.move", tr("&Move a drawing"), tr("Moves something that was drawn."), "transform-move",
+                  Qt::Key_V, DrawingTool::Move}};
+    for (const auto &tool : tools)
+        all.add({tool.id, tool.text, tool.teaches, tool.icon, {QKeySequence(tool.key)}, draw},
+                [this, chosen = tool.tool] {
+                    setStep(StudioStep::Draw);
+                    mDrawing->setTool(chosen);
+                });
+    all.add({"draw.wider", tr("W&ider brush"), tr("Makes the brush wider."), {}, {QKeySequence("]")}, draw},
+            [this] { mDrawing->changeWidth(1); });
+    all.add({"draw.narrower",
+             tr("&Narrower brush"),
+             tr("Makes the brush narrower."),
+             {},
+             {QKeySequence("[")},
+             draw},
+            [this] { mDrawing->changeWidth(-1); });
+    all.add({"draw.onion",
+             tr("&Onion skin"),
+             tr("The drawings before shine through in red, those after in blue."),
+             {},
+             {QKeySequence(Qt::Key_O)},
+             draw},
+            [this] {
+                mState.setOnionSkin({!mState.onionSkin().isOn, mState.onionSkin().count});
+            });
+    all.add({"draw.addDrawing",
+             tr("A&dd drawing"),
+             tr("An empty drawing after this one: the next moment of an animation."),
+             "list-add",
+             {QKeySequence(Qt::Key_N)},
+             draw},
+            [this] { mDrawing->strip().addDrawing(); });
+    all.add({"draw.duplicateDrawing",
+             tr("D&uplicate drawing"),
+             tr("A copy of this drawing after it, to be changed a little."),
+             "edit-copy",
+             {QKeySequence("Shift+N")},
+             draw},
+            [this] { mDrawing->strip().duplicateDrawing(); });
+    all.add({"draw.removeDrawing",
+             tr("Take drawing awa&y"),
+             tr("Takes the present drawing out of the animation."),
+             "list-remove",
+             {QKeySequence("Shift+Delete")},
+             draw},
+            [this] { mDrawing->strip().removeDrawing(); });
+    all.add({"draw.next",
+             tr("Ne&xt drawing"),
+             tr("Goes to the next drawing of the canvas."),
+             {},
+             {QKeySequence(Qt::Key_Down)},
+             draw},
+            [this] { mDrawing->strip().step(1); });
+    all.add({"draw.previous",
+             tr("P&revious drawing"),
+             tr("Goes to the drawing before."),
+             {},
+             {QKeySequence(Qt::Key_Up)},
+             draw},
+            [this] { mDrawing->strip().step(-1); });
+}
+
 void StudioWindow::fillMenus()
 {
     const auto named = [this](std::initializer_list<const char *> ids) {
@@ -126,7 +305,15 @@ void StudioWindow::fillMenus()
             list << actions().action(QLatin1String(id));
         return list;
     };
-    addToMenu(fileMenu(), named({"file.open", "file.start", "file.save", "file.saveAs"}));
+    addToMenu(fileMenu(), named({"file.open", "file.start", "file.save", "file.saveAs", "file.export"}));
+    menu(tr("&Canvas"))
+        ->addActions(named({"canvas.follow", "canvas.stay", "canvas.face", "canvas.previousKeyframe",
+                            "canvas.nextKeyframe", "canvas.duplicate", "canvas.remove", "scene.analyse"}));
+    menu(tr("&Draw"))
+        ->addActions(
+            named({"draw.pen", "draw.fill", "draw.arrow", "draw.words", "draw.sticker", "draw.eraser",
+                   "draw.move", "draw.wider", "draw.narrower", "draw.onion", "draw.addDrawing",
+                   "draw.duplicateDrawing", "draw.removeDrawing", "draw.next", "draw.previous"}));
     menu(tr("&Play"))
         ->addActions(named({"play.toggle", "play.back", "play.forward", "play.start", "play.end",
                             "play.reverse", "play.stop", "play.faster", "play.sound"}));

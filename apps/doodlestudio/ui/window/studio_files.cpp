@@ -1,6 +1,7 @@
 // Opening, saving and analysing in DoodleStudio's window.
 #include "document/document_files.h"
 #include "document/project_picture.h"
+#include "doodlestudio/ui/film/export_dialog.h"
 #include "doodlestudio/ui/player/player_view.h"
 #include "doodlestudio/ui/timeline/timeline_view.h"
 #include "doodlestudio/ui/window/studio_window.h"
@@ -8,11 +9,28 @@
 #include "widgets/pages/start_page.h"
 #include "widgets/shell/message_bar.h"
 
+#include <QDir>
 #include <QEventLoop>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QStandardPaths>
 
 namespace ductus {
+
+namespace {
+
+QJsonArray sampleList()
+{
+    QFile file(QStringLiteral(":/clips/clips.json"));
+    return file.open(QIODevice::ReadOnly)
+               ? QJsonDocument::fromJson(file.readAll()).object()["samples"].toArray()
+               : QJsonArray();
+}
+
+} // namespace
 
 void StudioWindow::fillStartPage()
 {
@@ -20,6 +38,13 @@ void StudioWindow::fillStartPage()
     page->setHeading(tr("DoodleStudio"), tr("Draw into a filmed scene, so that it stays where you put it."));
     page->setButtons({}, tr("Open..."));
     page->setDropSentence(tr("Drop a clip, a folder of pictures or a project anywhere."));
+    QList<SampleCard> cards;
+    for (const QJsonValue &sample : sampleList()) {
+        const QString id = sample["id"].toString();
+        cards << SampleCard{sample["title"].toString(), sample["lesson"].toString(),
+                            QStringLiteral(":/clips/%1.png").arg(id), id};
+    }
+    page->setSamples(cards);
     connect(page, &StartPage::openRequested, this, &StudioWindow::chooseAndOpen);
     connect(page, &StartPage::openFile, this, &StudioWindow::openPath);
     connect(page, &StartPage::openSample, this, &StudioWindow::openSample);
@@ -55,9 +80,45 @@ void StudioWindow::openPath(const QString &path)
         openClipAt(path);
 }
 
-void StudioWindow::openSample(const QString &path)
+void StudioWindow::openSample(const QString &id)
 {
-    openPath(path);
+    if (!confirmLeaving())
+        return;
+    // Decoders read files: the clip is put where files may be.
+    const QString folder =
+        QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + QStringLiteral("/samples");
+    const QString clip = QStringLiteral("%1/%2.mp4").arg(folder, id);
+    const QString packed = QStringLiteral(":/clips/%1.mp4").arg(id);
+    if (QFileInfo(clip).size() != QFileInfo(packed).size()) {
+        QDir().mkpath(folder);
+        QFile::remove(clip);
+        if (!QFile::copy(packed, clip)) {
+            showError({ErrorCode::WriteFailed, "Opening the sample", "its clip cannot be put into the cache",
+                       "Make room on the disk", clip.toStdString()});
+            return;
+        }
+        QFile::setPermissions(clip, QFile::ReadOwner | QFile::WriteOwner);
+    }
+    QFile file(QStringLiteral(":/clips/%1.ductus").arg(id));
+    if (!file.open(QIODevice::ReadOnly))
+        return;
+    const QByteArray bytes = file.readAll();
+    const std::string_view view(bytes.constData(), std::size_t(bytes.size()));
+    Result<Project> project = parseProject(asBytes(view), id.toStdString() + ".ductus", knownDocuments());
+    if (!project) {
+        showError(project.error());
+        return;
+    }
+    QString title = id;
+    for (const QJsonValue &sample : sampleList())
+        if (sample["id"].toString() == id)
+            title = sample["title"].toString();
+    if (Result<void> started = mDoodle.startSample(std::move(*project), clip, title); !started) {
+        showError(started.error());
+        return;
+    }
+    messages()->closeAll();
+    findClip();
 }
 
 void StudioWindow::openClipAt(const QString &path)
@@ -154,6 +215,7 @@ void StudioWindow::adoptClip(OpenedClip clip)
     for (const std::string &warning : clip.clip->info().warnings)
         messages()->warning(QString::fromStdString(warning));
     mFrames.setClip(clip.clip);
+    mPreview.forget();
     mPlayback.setFrameTimes(clip.clip->info().frameTimes);
     showOpened();
     updatePictureSize();
@@ -208,6 +270,25 @@ void StudioWindow::analyse()
             message.key = QStringLiteral("analyse");
             messages()->show(message);
         });
+}
+
+ExportDialog *StudioWindow::openExport()
+{
+    if (mDoodle.isEmpty()) {
+        messages()->info(tr("Open a clip first; its film can be exported then."));
+        return nullptr;
+    }
+    auto *dialog = findChild<ExportDialog *>();
+    if (!dialog) {
+        dialog = new ExportDialog(mDoodle, jobs(), this);
+        connect(dialog, &ExportDialog::exported, this, [this, dialog](const QString &path) {
+            if (!dialog->isVisible())
+                messages()->success(tr("Exported to %1.").arg(QFileInfo(path).fileName()));
+        });
+    }
+    dialog->show();
+    dialog->raise();
+    return dialog;
 }
 
 void StudioWindow::showOpened()

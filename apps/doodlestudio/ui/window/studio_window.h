@@ -6,6 +6,12 @@
 #include "document/settings/recent_files.h"
 #include "doodlestudio/document/clip_opening.h"
 #include "doodlestudio/document/doodle_document.h"
+#include "doodlestudio/ui/canvases/canvas_layer.h"
+#include "doodlestudio/ui/canvases/handles_tool.h"
+#include "doodlestudio/ui/canvases/occlusion_tool.h"
+#include "doodlestudio/ui/canvases/studio_state.h"
+#include "doodlestudio/ui/drawing/direct_draw_tool.h"
+#include "doodlestudio/ui/player/film_preview.h"
 #include "doodlestudio/ui/player/frame_store.h"
 #include "doodlestudio/ui/player/playback.h"
 #include "widgets/main_window_shell.h"
@@ -15,6 +21,10 @@ class QSplitter;
 
 namespace ductus {
 
+class CanvasList;
+class CanvasPanel;
+class DrawingPanel;
+class ExportDialog;
 class PlayerView;
 class SegmentedSwitch;
 class TimelineView;
@@ -35,17 +45,25 @@ public:
     Playback &playback() { return mPlayback; }
     FrameStore &frames() { return mFrames; }
     TransportBar &transport() { return *mTransport; }
+    StudioState &state() { return mState; }
+    CanvasFollower &follower() { return mFollower; }
+    HandlesTool &handles() { return mHandles; }
+    CanvasPanel &canvasPanel() { return *mCanvasPanel; }
+    DrawingPanel &drawing() { return *mDrawing; }
+    FilmPreview &preview() { return mPreview; }
 
     StudioStep step() const;
     void setStep(StudioStep step);
 
     /// A project, a video or a folder of pictures.
     void openPath(const QString &path);
-    void openSample(const QString &path);
+    void openSample(const QString &id);
     void save();
     void saveAs();
     /// Finds out how the scene moves; drawing goes on meanwhile.
     void analyse();
+    /// The dialog that makes films; shown.
+    ExportDialog *openExport();
 
 signals:
     /// A clip is there and its first picture is shown.
@@ -57,6 +75,13 @@ protected:
 private:
     void addFileActions();
     void addPlayActions();
+    void addCanvasActions();
+    void addDrawingActions();
+    void fillInspector();
+    void connectTimeline();
+    void applyStep();
+    void refreshRows();
+    void goToKeyframe(int direction);
     void fillMenus();
     void buildCanvas();
     void fillStartPage();
@@ -73,13 +98,23 @@ private:
     void saveTo(const QString &path, std::function<void(bool)> finish = {});
     QString askForPath();
     void showFrame(int frame);
+    /// The present frame with or without the doodles in it, whichever is there.
+    void showPicture();
     void onDocumentChanged(const ChangeEvent &event);
     void showSceneWords();
     void updatePictureSize();
     void openManual(const QString &topic);
 
     DoodleDocument mDoodle;
+    CanvasFollower mFollower;
+    StudioState mState;
+    HandlesTool mHandles;
+    OcclusionTool mOcclusion;
+    CanvasLayer mCanvases;
+    DrawingHand mHand;
+    DirectDrawTool mDirect;
     FrameStore mFrames;
+    FilmPreview mPreview;
     Playback mPlayback;
     UnsavedWork mUnsaved;
     RecentFiles mRecent;
@@ -88,6 +123,10 @@ private:
     PlayerView *mPlayer = nullptr;
     TimelineView *mTimeline = nullptr;
     TransportBar *mTransport = nullptr;
+    CanvasList *mCanvasList = nullptr;
+    CanvasPanel *mCanvasPanel = nullptr;
+    DrawingPanel *mDrawing = nullptr;
+    QTimer mRowsTimer;        // gathers changes: rows are made once for all of them
     bool mWasPlaying = false; // before a scrub
 };
 
