@@ -1,0 +1,104 @@
+#include "doodling/tracking/pixel_path.h"
+
+#include <QtTest>
+
+using namespace ductus;
+
+namespace {
+
+constexpr int frames = 30, speed = 3, width = 320, height = 160;
+
+Rgba groundAt(int x, int y)
+{
+    const auto grey = std::uint8_t(110 + 40 * std::sin(0.11 * x) * std::cos(0.13 * y));
+    return {grey, grey, grey, 255};
+}
+
+// An orange ball that moves by 3 pixels a frame over a grey ground; the flow of ten frames missed it and
+// says that all stands still, both ways: what follows flow alone is left behind on the ground.
+Shot ballShot()
+{
+    const auto isBall = [](int t, double x, double y) {
+        return (Vec2(x, y) - Vec2(60.0 + speed * t, 80.0)).norm() < 26.0;
+    };
+    Shot shot;
+    shot.width = shot.clipWidth = width;
+    shot.height = shot.clipHeight = height;
+    shot.cameras.assign(frames, ShotCamera{});
+    for (int t = 0; t < frames; ++t) {
+        Image image(width, height);
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x)
+                image.set(x, y,
+                          isBall(t, x, y)
+                              ? Rgba{220, std::uint8_t(120 + 2 * int(x - speed * t - 60) + (y - 80)), 20, 255}
+                              : groundAt(x, y));
+        shot.pictures.push_back(smallPictureOf(image));
+        if (t + 1 == frames)
+            break;
+        FlowField ahead{width / 4, height / 4, 4.0, {}, {}}, back = ahead;
+        for (int i = 0; i < ahead.width * ahead.height; ++i) {
+            const double x = 4.0 * (i % ahead.width) + 2.0, y = 4.0 * (i / ahead.width) + 2.0;
+            const float told = t >= 7 && t < 17 ? 0.0f : float(speed);
+            ahead.motions.emplace_back(isBall(t, x, y) ? told : 0.0f, 0.0f);
+            back.motions.emplace_back(isBall(t + 1, x, y) ? -told : 0.0f, 0.0f);
+        }
+        ahead.confidences = back.confidences = std::vector<float>(ahead.motions.size(), 1.0f);
+        shot.forward.push_back(ahead);
+        shot.backward.push_back(back);
+    }
+    return shot;
+}
+
+Vec2 truth(int t)
+{
+    return {60.0 + speed * t, 80.0};
+}
+
+} // namespace
+
+class PixelPathTest : public QObject
+{
+    Q_OBJECT
+private slots:
+    void whatTheFlowLostIsSaidToBeHidden()
+    {
+        const std::vector<PathPoint> path = pixelPath(ballShot(), {0, truth(0)}, {}, frames - 1, {});
+        QCOMPARE(int(path.size()), frames);
+        QCOMPARE(path.front().pixel, truth(0));
+        for (int t = 0; t <= 7; ++t)
+            QVERIFY((path[std::size_t(t)].pixel - truth(t)).norm() < 1.0);
+        for (int t = 17; t < frames; ++t) // the ball left it behind by more than its radius
+            QVERIFY(!path[std::size_t(t)].isVisible);
+    }
+    void bothKeyframesAreMet_data()
+    {
+        QTest::addColumn<bool>("isBackward");
+        QTest::newRow("ahead") << false;
+        QTest::newRow("back") << true;
+    }
+    void bothKeyframesAreMet()
+    {
+        QFETCH(bool, isBackward);
+        PixelKeyframe a{0, truth(0)}, b{frames - 1, truth(frames - 1)};
+        if (isBackward)
+            std::swap(a, b);
+        const std::vector<PathPoint> path = pixelPath(ballShot(), a, b, 0, {});
+        QCOMPARE(path.front().pixel, a.pixel);
+        QCOMPARE(path.back().pixel, b.pixel);
+        for (int i = 0; i < frames; ++i) {
+            const int t = isBackward ? frames - 1 - i : i;
+            if (t <= 7 || t >= 17)
+                QVERIFY((path[std::size_t(i)].pixel - truth(t)).norm() < 3.0);
+        }
+    }
+    void aSingleFrameIsAPath()
+    {
+        const std::vector<PathPoint> path = pixelPath(ballShot(), {7, truth(7)}, {}, 7, {});
+        QCOMPARE(int(path.size()), 1);
+        QCOMPARE(path.front().pixel, truth(7));
+    }
+};
+
+QTEST_APPLESS_MAIN(PixelPathTest)
+#include "pixel_path_test.moc"
