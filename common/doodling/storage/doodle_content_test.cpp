@@ -37,6 +37,13 @@ Shot smallShot(int frames)
         for (int i = 0; i < 30; ++i)
             grid.values.push_back(std::uint8_t(random.index(256)));
         shot.features.push_back(grid);
+        std::vector<float> disparities;
+        for (int i = 0; i < 60; ++i)
+            disparities.push_back(float(0.01 + random.uniform()));
+        shot.depths.push_back(depthMapOf(10, 6, 4.0, disparities));
+        if (t % 2 == 0) // frames in which nothing moves have no objects
+            for (int i = 0; i < 60; ++i)
+                shot.depths.back().objects.push_back(std::uint8_t(random.index(4)));
         if (t > 0) {
             shot.forward.push_back(flow());
             shot.backward.push_back(flow());
@@ -95,6 +102,9 @@ private slots:
             QVERIFY(back.cameras[t].worldFromCamera.isApprox(shot.cameras[t].worldFromCamera, 1e-12));
             QCOMPARE(back.cameras[t].focal, 36.0);
             QCOMPARE(back.features[t].values, shot.features[t].values);
+            QCOMPARE(back.depths[t].disparities, shot.depths[t].disparities);
+            QCOMPARE(back.depths[t].objects, shot.depths[t].objects);
+            QCOMPARE(back.depths[t].mostDisparity, shot.depths[t].mostDisparity);
         }
         for (int t = 0; t + 1 < frames; ++t) {
             QCOMPARE(back.forward[t].motions, shot.forward[t].motions); // the test's are whole 32nds
