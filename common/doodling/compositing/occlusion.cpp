@@ -53,7 +53,7 @@ CoarseMask coarse(const CanvasOcclusion &occlusion, const Shot &shot, int frame,
 // clear.
 std::vector<float> withFirmEnds(std::vector<float> values)
 {
-    constexpr float end = 0.06f;
+    constexpr float end = 0.2f;
     for (float &value : values)
         value = std::clamp((value - end) / (1.0f - 2.0f * end), 0.0f, 1.0f);
     return values;

@@ -142,7 +142,7 @@ std::vector<MarkPiece> bulb(const Rgba &colour)
     for (int i = 0; i < 5; ++i) {
         const double angle = -pi + pi * i / 4.0;
         const Vec2 way(std::cos(angle), std::sin(angle));
-        rays.push_back({Vec2(0.0, -0.1) + 0.36 * way, Vec2(0.0, -0.1) + (i == 2 ? 0.4 : 0.44) * way});
+        rays.push_back({Vec2(0.0, -0.1) + 0.34 * way, Vec2(0.0, -0.1) + (i == 2 ? 0.365 : 0.41) * way});
     }
     pieces.push_back(lines(std::move(rays), 0.024, shaded(colour, 0.8)));
     return pieces;

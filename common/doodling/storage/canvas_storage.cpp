@@ -20,7 +20,9 @@ constexpr int mostFrames = 1000000;
 constexpr std::pair<std::string_view, CanvasMotion> motionNames[] = {{"static", CanvasMotion::Static},
                                                                      {"dynamic", CanvasMotion::Dynamic}};
 constexpr std::pair<std::string_view, CanvasTurning> turningNames[] = {
-    {"along-path", CanvasTurning::AlongPath}, {"still", CanvasTurning::Still}};
+    {"along-path", CanvasTurning::AlongPath},
+    {"still", CanvasTurning::Still},
+    {"with-thing", CanvasTurning::WithThing}};
 constexpr std::pair<std::string_view, DoodleRepeat> repeatNames[] = {{"loop", DoodleRepeat::Loop},
                                                                      {"ping-pong", DoodleRepeat::PingPong},
                                                                      {"once", DoodleRepeat::Once},
