@@ -130,6 +130,26 @@ foreach(i RANGE ${last_sample})
         "<header><h2>${title}</h2><nav>${links}</nav></header><p>${lesson}</p>${body}</div></article>\n")
 endforeach()
 
+# The doodled clip: passing-box.mp4, .log and .exit.
+set(film passing-box)
+if(EXISTS ${DEMO_DIR}/${film}.exit)
+    file(READ ${DEMO_DIR}/${film}.exit code)
+    string(STRIP "${code}" code)
+    if(code EQUAL 0)
+        string(APPEND cards "<article class=\"card\" id=\"${film}\">"
+            "<video src=\"${film}.mp4\" autoplay loop muted playsinline controls></video><div class=\"text\">"
+            "<header><h2>Passing box</h2><nav><a href=\"${film}.mp4\">film</a></nav></header>"
+            "<p>DoodleStudio: a drawn face follows the box and passes behind the post; words and arrow stay in the "
+            "room while the camera moves.</p></div></article>\n")
+    else()
+        file(READ ${DEMO_DIR}/${film}.log log)
+        escape_html(log "${log}")
+        string(APPEND cards "<article class=\"card failed\" id=\"${film}\"><div class=\"text\">"
+            "<header><h2>Passing box</h2></header><p class=\"error\">Failed with exit code ${code}.</p>"
+            "<pre>${log}</pre></div></article>\n")
+    endif()
+endif()
+
 math(EXPR count "${last_sample} + 1")
 math(EXPR succeeded "${count} - ${failed}")
 set(summary "${succeeded} of ${count} sketches surfaced")
