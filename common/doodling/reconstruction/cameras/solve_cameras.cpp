@@ -16,6 +16,7 @@ constexpr double goodExplained = 0.6; // no second start is tried
 constexpr double leastParallax = 1.5;      // pixels at 854 of width
 constexpr double leastParallaxShare = 3.0; // of their own miss
 constexpr double leastExplained = 0.25;
+constexpr double farBetter = 3.0;        // than turning
 constexpr double leastFrameShare = 0.12; // of a frame's tracks: else the path is lost there
 
 double quantileOf(std::vector<double> values, double share)
@@ -137,9 +138,11 @@ CameraSolution solveCameras(const std::vector<PointTrack> &tracks, int frameCoun
     solution.medianMiss = turning.medianMiss;
     if (!moving.cameras.empty())
         solution.parallax = parallaxOf(tracks, moving, turning);
-    const bool isSolved = !moving.cameras.empty() && moving.isComplete() &&
-                          moving.leastFrameShare > leastFrameShare &&
-                          moving.explainedShare > std::max(leastExplained, turning.explainedShare) &&
+    // Where turning explains next to nothing even a path that is shaky in places is nearer to the truth.
+    const bool isSure = moving.explainedShare > leastExplained && moving.leastFrameShare > leastFrameShare;
+    const bool isFarBetter = moving.explainedShare > farBetter * turning.explainedShare;
+    const bool isSolved = !moving.cameras.empty() && moving.isComplete() && (isSure || isFarBetter) &&
+                          moving.explainedShare > turning.explainedShare &&
                           solution.parallax > leastParallax * unit &&
                           solution.parallax > leastParallaxShare * moving.medianMiss;
     if (isSolved) {
