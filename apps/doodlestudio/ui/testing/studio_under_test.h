@@ -6,7 +6,7 @@
 #include "doodlestudio/ui/timeline/timeline_view.h"
 #include "doodlestudio/ui/window/studio_window.h"
 #include "formats/film/film_writer.h"
-#include "support/clip_scenes.h"
+#include "imaging/image.h"
 
 #include <QDropEvent>
 #include <QMimeData>
@@ -46,22 +46,22 @@ inline void writeTone(const QString &path, double seconds)
         qFatal("no tone");
 }
 
-/// \a scene as a film with a tone.
-inline void writeClip(const ClipScene &scene, const QString &path, double framesPerSecond)
+/// \a frames as a film with a tone.
+inline void writeClip(const std::vector<Image> &frames, const QString &path, double framesPerSecond)
 {
     const QString tone = path + QStringLiteral(".wav");
-    writeTone(tone, scene.frameCount / framesPerSecond);
+    writeTone(tone, double(frames.size()) / framesPerSecond);
     FilmOptions options;
-    options.width = scene.width;
-    options.height = scene.height;
+    options.width = frames.front().width;
+    options.height = frames.front().height;
     options.rate = {int(framesPerSecond), 1};
     options.soundFrom = tone.toStdString();
     options.soundBegins = 0.0;
     Result<FilmWriter> film = FilmWriter::open(path.toStdString(), options);
     if (!film)
         qFatal("%s", film.error().message().c_str());
-    for (int t = 0; t < scene.frameCount; ++t)
-        if (Result<void> added = film->add(renderedImage(scene, t)); !added)
+    for (const Image &frame : frames)
+        if (Result<void> added = film->add(frame); !added)
             qFatal("%s", added.error().message().c_str());
     if (Result<void> done = film->finish(); !done)
         qFatal("%s", done.error().message().c_str());

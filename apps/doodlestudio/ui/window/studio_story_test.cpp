@@ -5,6 +5,7 @@
 #include "doodlestudio/ui/testing/studio_under_test.h"
 
 #include "doodlestudio/ui/timeline/transport_bar.h"
+#include "support/clip_scenes.h"
 #include "widgets/shell/message_bar.h"
 
 #include <QLineEdit>
@@ -12,6 +13,18 @@
 #include <QToolButton>
 
 using namespace ductus;
+
+namespace {
+
+std::vector<Image> filmOf(const ClipScene &scene)
+{
+    std::vector<Image> frames;
+    for (int t = 0; t < scene.frameCount; ++t)
+        frames.push_back(renderedImage(scene, t));
+    return frames;
+}
+
+} // namespace
 
 class StudioStoryTest : public QObject
 {
@@ -25,7 +38,7 @@ void StudioStoryTest::everythingByKeyboard()
     StudioUnderTest app;
     QVERIFY(QTest::qWaitForWindowExposed(app.window.get()));
     const QString clip = app.folder.filePath("tripod.mp4");
-    writeClip(tripodScene(160, 90, 12), clip, 12.0);
+    writeClip(filmOf(tripodScene(160, 90, 12)), clip, 12.0);
     QVERIFY(app.open(clip));
     app.jobs.cancelKey("analyse");
     Playback &playback = app.window->playback();
