@@ -168,7 +168,7 @@ void MainWindowShell::showCanvas()
     mStack->setCurrentWidget(mCanvas);
     mTopRow->setCentreVisible(true);
     mHint->setVisible(true);
-    mTools->show();
+    mTools->setVisible(!mTools->isEmpty());
     mInspector->setVisible(!actions().action("view.inspector") ||
                            actions().action("view.inspector")->isChecked());
     mStripPlace->setVisible(mStripPlace->layout()->count() > 0);

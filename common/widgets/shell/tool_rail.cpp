@@ -56,6 +56,11 @@ void ToolRail::addTool(QAction *action)
     mButtons->insertWidget(mButtons->count() - 1, button);
 }
 
+bool ToolRail::isEmpty() const
+{
+    return mButtons->count() == 1; // what stretches below the buttons
+}
+
 void ToolRail::addSeparator()
 {
     auto *line = new QWidget;

@@ -17,6 +17,7 @@ public:
 
     void addTool(QAction *action);
     void addSeparator();
+    bool isEmpty() const;
 
 private:
     QVBoxLayout *mButtons;

@@ -26,6 +26,7 @@ QPushButton[flat="true"]:hover { background: @hover; }
 QPushButton[flat="true"]:focus { border-color: @accent; }
 
 QToolButton { background: transparent; color: @text; border: 1px solid transparent; border-radius: 6px; padding: 0; }
+QToolButton[framed="true"] { background: @raised; border-color: @line; min-height: 26px; padding: 0 8px; }
 QToolButton:hover { background: @hover; }
 QToolButton:pressed { background: @pressed; }
 QToolButton:checked { background: @selected; border-color: @accent; }

@@ -100,7 +100,7 @@ void DrawingPanel::buildTools(QVBoxLayout *layout)
          tr("Draws lines; a pen's pressure makes them wider. (P)")},
         {DrawingTool::Fill, "shape-fill", tr("Filled shape"),
          tr("Draw an outline; what is inside is filled. (G)")},
-        {DrawingTool::Arrow, "arrow-right", tr("Arrow"), tr("Points at something; draw it as you like. (A)")},
+        {DrawingTool::Arrow, "arrow-mark", tr("Arrow"), tr("Points at something; draw it as you like. (A)")},
         {DrawingTool::Text, "draw-text", tr("Words"),
          tr("Type words, then click where they should stand. (T)")},
         {DrawingTool::Sticker, "sticker", tr("Sticker"),

@@ -58,10 +58,14 @@ void FrameStrip::buildControls()
     mOnion->setObjectName(QStringLiteral("onion"));
     mOnion->setText(tr("Onion skin"));
     mOnion->setCheckable(true);
+    mOnion->setProperty("framed", true);
+    mOnion->setIcon(icon("stack"));
+    mOnion->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     mOnion->setToolTip(tr("Onion skin (O). The drawings before shine through in red, those after in blue."));
     layout->addWidget(mOnion);
     mOnionCount = new QSpinBox;
     mOnionCount->setRange(1, 5);
+    mOnionCount->setMinimumWidth(52);
     mOnionCount->setAccessibleName(tr("Drawings that shine through"));
     mOnionCount->setToolTip(tr("How many drawings before and after shine through."));
     layout->addWidget(mOnionCount);
@@ -70,6 +74,7 @@ void FrameStrip::buildControls()
     mHold = new QSpinBox;
     mHold->setObjectName(QStringLiteral("hold"));
     mHold->setRange(1, 250);
+    mHold->setMinimumWidth(60);
     mHold->setAccessibleName(tr("Video frames this drawing is held"));
     mHold->setToolTip(tr("For how many frames of the film this drawing is seen."));
     holdLabel->setBuddy(mHold);

@@ -125,7 +125,7 @@ void StudioWindow::addPlayActions()
     QAction *sound = all.addToggle({"play.sound",
                                     tr("So&und"),
                                     tr("Lets the clip be heard while it runs."),
-                                    "speaker",
+                                    "sound",
                                     {QKeySequence(Qt::Key_M)},
                                     play},
                                    [this](bool on) { mPlayback.setMuted(!on); });
@@ -226,7 +226,7 @@ void StudioWindow::addDrawingActions()
     } tools[] = {{"draw.pen", tr("&Pen"), tr("Draws lines."), "draw-freehand", Qt::Key_P, DrawingTool::Pen},
                  {"draw.fill", tr("&Filled shape"), tr("Draw an outline; what is inside is filled."),
                   "shape-fill", Qt::Key_G, DrawingTool::Fill},
-                 {"draw.arrow", tr("&Arrow"), tr("Points at something."), "arrow-right", Qt::Key_A,
+                 {"draw.arrow", tr("&Arrow"), tr("Points at something."), "arrow-mark", Qt::Key_A,
                   DrawingTool::Arrow},
                  {"draw.words", tr("&Words"), tr("Type words, then click where they should stand."),
                   "draw-text", Qt::Key_T, DrawingTool::Text},
