@@ -10,8 +10,8 @@
 #include "project/project_writer.h"
 #include "project/schema_check.h"
 
-#include <QElapsedTimer>
 #include <QtTest>
+#include <ctime>
 
 using namespace ductus;
 
@@ -362,17 +362,22 @@ void PaintingContentTest::mutationsNeverCrash()
 void PaintingContentTest::savesTwoThousandStrokesInASecond()
 {
     const Project project = projectOf(samplePainting(1, 1000, 50));
-    QElapsedTimer clock;
-    clock.start();
+    // Of the processor, as others may work beside the test.
+    const auto millisecondsSince = [](std::clock_t from) {
+        return 1e3 * double(std::clock() - from) / CLOCKS_PER_SEC;
+    };
+    std::clock_t start = std::clock();
     const Bytes bytes = written(project);
-    const qint64 first = clock.restart();
+    const double writing = millisecondsSince(start);
+    start = std::clock();
     const Result<Project> again = read(bytes);
-    const qint64 reading = clock.restart();
+    const double reading = millisecondsSince(start);
     QVERIFY(again.ok());
+    start = std::clock();
     written(touched(*again));
-    qInfo("2000 strokes of 50 points, %.1f MB: %lld ms to write, %lld ms to read, %lld ms to write again",
-          double(bytes.size()) / 1e6, first, reading, clock.elapsed());
-    QVERIFY(first < 1000);
+    qInfo("2000 strokes of 50 points, %.1f MB: %.0f ms to write, %.0f ms to read, %.0f ms to write again",
+          double(bytes.size()) / 1e6, writing, reading, millisecondsSince(start));
+    QVERIFY(writing < 1000.0);
 }
 
 QTEST_APPLESS_MAIN(PaintingContentTest)
