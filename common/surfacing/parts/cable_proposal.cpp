@@ -152,10 +152,21 @@ Result<std::vector<int>> proposedCables(const StrokeSet &strokes, const CableOpt
 Result<std::vector<int>> markCables(StrokeSet &strokes, const CableOptions &options,
                                     const JobControl &control)
 {
-    Result<std::vector<int>> cables = proposedCables(strokes, options, control);
-    if (cables)
-        for (int s : *cables)
-            strokes.strokes[std::size_t(s)].role = StrokeRole::Skeletal;
+    const StrokeSet once = cleaned(strokes);
+    if (int(once.strokes.size()) > options.mostStrokes)
+        return std::vector<int>();
+    const Result<std::vector<int>> proposed = proposedCables(once, options, control);
+    if (!proposed)
+        return proposed.error();
+    std::set<int> ids;
+    for (int s : *proposed)
+        ids.insert(once.strokes[std::size_t(s)].id.value);
+    std::vector<int> cables;
+    for (std::size_t s = 0; s < strokes.strokes.size(); ++s)
+        if (ids.count(strokes.strokes[s].id.value) > 0) {
+            strokes.strokes[s].role = StrokeRole::Skeletal;
+            cables.push_back(int(s));
+        }
     return cables;
 }
 

@@ -22,6 +22,7 @@ struct CableOptions
     double leastAlone = 0.5;    // share of the length, in one run; the rest are ends inside what they hang on
     double leastDangling = 0.7; // the same where one end touches nothing: there is less to tell it by
     double leastChord = 0.2;    // between the ends, share of the length: rings and outlines come back
+    int mostStrokes = 1500;     // of different ones; a denser sketch is no object with a cable
     int mostCables = 4;         // more than this, and lines far apart are how the sketch is drawn
 };
 
@@ -29,7 +30,7 @@ struct CableOptions
 Result<std::vector<int>> proposedCables(const StrokeSet &strokes, const CableOptions &options,
                                         const JobControl &control);
 
-/// Gives the proposed ones the role Skeletal and tells which they are.
+/// Gives the proposed ones the role Skeletal and tells which they are. Ids must differ. Strokes given twice count once.
 Result<std::vector<int>> markCables(StrokeSet &strokes, const CableOptions &options, const JobControl &control);
 
 } // namespace ductus

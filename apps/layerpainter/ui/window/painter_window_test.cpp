@@ -9,6 +9,7 @@
 #include <QTemporaryDir>
 #include <QToolButton>
 #include <QtTest>
+#include <utility>
 #include <ctime>
 #include <numbers>
 
@@ -467,6 +468,12 @@ void PainterWindowTest::playsTheMotionAndKeepsViews()
     PaintingView &view = window.view();
     QVERIFY(window.motion().isVisible());
     QCOMPARE(view.seconds(), 0.0);
+    // The timeline has just come and the canvas gives way to it: not before it has is there a picture to return to.
+    QSize size;
+    QVERIFY(QTest::qWaitFor([&] {
+        const QSize last = std::exchange(size, view.size());
+        return last == size;
+    }, 5'000));
     const QImage start = view.picture();
     mApp->press(Qt::Key_Space);
     QVERIFY(window.motion().isPlaying());
