@@ -1,5 +1,6 @@
 #include "doodlestudio/cli/inspect_commands.h"
 
+#include "base/error_place.h"
 #include "cli/batch_command.h"
 #include "doodlestudio/cli/doodle_report.h"
 #include "doodling/storage/doodle_content.h"
@@ -35,7 +36,7 @@ ExitCode runInfoCommand(const QStringList &arguments)
     const std::filesystem::path path = parser.positionalPath(0);
     const Result<Project> project = openProject(path, knownDocuments());
     if (!project)
-        return failed(job, project.error());
+        return failed(job, placedIn(project.error(), path));
     nlohmann::ordered_json report = {{"schema", "project-info"},
                                      {"version", 1},
                                      {"id", project->id.text()},

@@ -1,24 +1,20 @@
 #include "doodlestudio/cli/open_doodle.h"
 
+#include "base/error_place.h"
 #include "project/project_reader.h"
 
 namespace ductus {
 
 Result<OpenedDoodle> openDoodle(const std::filesystem::path &path)
 {
-    const auto placed = [&](Error error) {
-        if (error.place.find(path.filename().string()) == std::string::npos)
-            error.place = path.string() + (error.place.empty() ? "" : ": " + error.place);
-        return error;
-    };
     ProjectReadOptions options;
     options.kinds = {doodleKind()};
     Result<Project> project = openProject(path, options);
     if (!project)
-        return placed(project.error());
+        return placedIn(project.error(), path);
     const Result<std::shared_ptr<const DoodleContent>> content = doodleOf(*project);
     if (!content)
-        return placed(content.error());
+        return placedIn(content.error(), path);
     std::filesystem::path clip((*content)->clip().path);
     if (clip.is_relative()) // as seen from the project's folder
         clip = (path.parent_path() / clip).lexically_normal();

@@ -1,5 +1,6 @@
 #include "layerpainter/cli/inspect_commands.h"
 
+#include "base/error_place.h"
 #include "cli/batch_command.h"
 #include "document/document_files.h"
 #include "formats/atomic_file.h"
@@ -11,17 +12,6 @@
 #include <cstdio>
 
 namespace ductus {
-
-namespace {
-
-Error placed(Error error, const std::filesystem::path &path)
-{
-    if (error.place.find(path.filename().string()) == std::string::npos)
-        error.place = path.string() + (error.place.empty() ? "" : ": " + error.place);
-    return error;
-}
-
-} // namespace
 
 ExitCode runInfoCommand(const QStringList &arguments)
 {
@@ -35,7 +25,7 @@ ExitCode runInfoCommand(const QStringList &arguments)
     const std::filesystem::path path = parser.positionalPath(0);
     const Result<Project> project = openProject(path, knownDocuments());
     if (!project)
-        return failed(job, placed(project.error(), path));
+        return failed(job, placedIn(project.error(), path));
     nlohmann::ordered_json report = {{"schema", "project-info"},
                                      {"version", 1},
                                      {"id", project->id.text()},

@@ -1,5 +1,6 @@
 #include "layerpainter/document/import_file.h"
 
+#include "base/error_place.h"
 #include "formats/mesh_file.h"
 #include "painting/edit/element_edits.h"
 #include "painting/edit/layer_edits.h"
@@ -58,13 +59,6 @@ Result<void> addMeshStack(Painting &painting, const std::string &name, TriangleM
     return {};
 }
 
-Error placed(Error error, const std::filesystem::path &path)
-{
-    if (error.place.find(path.filename().string()) == std::string::npos)
-        error.place = path.string() + (error.place.empty() ? "" : ": " + error.place);
-    return error;
-}
-
 Result<ImportedFile> importPaintingFile(const std::filesystem::path &path, const FileImportOptions &options,
                                         const JobControl &control)
 {
@@ -76,7 +70,7 @@ Result<ImportedFile> importPaintingFile(const std::filesystem::path &path, const
     control.progress(0.8, "Making stacks of the layers");
     Result<ImportedPainting> imported = importPainting(*file);
     if (!imported)
-        return placed(imported.error(), path);
+        return placedIn(imported.error(), path);
     if (imported->painting.stacks.empty())
         return Error{ErrorCode::TooLittleData, "Importing the painting", "no layer of it holds strokes",
                      "Choose a file with painted layers", path.string()};
@@ -94,7 +88,7 @@ Result<ImportedFile> importMesh(const std::filesystem::path &path, const JobCont
     if (const Result<void> added =
             addMeshStack(imported.painting, imported.name, std::move(mesh->mesh), mesh->vertexColours);
         !added)
-        return placed(added.error(), path);
+        return placedIn(added.error(), path);
     if (mesh->vertexColours.empty())
         imported.notes.push_back("the mesh is clay-coloured: only GLB's colours of vertices and materials "
                                  "are read, no textures");
@@ -107,7 +101,7 @@ Result<ImportedFile> importSurfaces(const std::filesystem::path &path)
 {
     const Result<Project> project = openProject(path);
     if (!project)
-        return placed(project.error(), path);
+        return placedIn(project.error(), path);
     ImportedFile imported{{}, "sketch-surface", nameOf(path), {}, {}};
     for (const ProjectDocument &document : project->documents) {
         if (!document.sketchSurface)
@@ -121,7 +115,7 @@ Result<ImportedFile> importSurfaces(const std::filesystem::path &path)
         if (const Result<void> added =
                 addMeshStack(imported.painting, name, document.sketchSurface->surface->mesh);
             !added)
-            return placed(added.error(), path);
+            return placedIn(added.error(), path);
     }
     if (imported.painting.stacks.empty())
         return Error{ErrorCode::TooLittleData, "Importing the surface",

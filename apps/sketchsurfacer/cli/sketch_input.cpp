@@ -1,5 +1,6 @@
 #include "sketchsurfacer/cli/sketch_input.h"
 
+#include "base/error_place.h"
 #include "formats/sketch_file.h"
 #include "project/project_reader.h"
 #include "sketchsurfacer/document/project_conversion.h"
@@ -11,21 +12,14 @@ namespace ductus {
 
 namespace {
 
-Error placed(Error error, const std::filesystem::path &path)
-{
-    if (error.place.find(path.filename().string()) == std::string::npos)
-        error.place = path.string() + (error.place.empty() ? "" : ": " + error.place);
-    return error;
-}
-
 Result<SketchInput> readProject(const std::filesystem::path &path)
 {
     const Result<Project> project = openProject(path);
     if (!project)
-        return placed(project.error(), path);
+        return placedIn(project.error(), path);
     const Result<StoredSketch> stored = sketchFromProject(*project);
     if (!stored)
-        return placed(stored.error(), path);
+        return placedIn(stored.error(), path);
     SketchInput input;
     input.strokes = *stored->content.strokes;
     input.options = stored->content.options;
@@ -43,14 +37,15 @@ Result<SketchInput> readStrokes(const std::filesystem::path &path, const JobCont
         return sketch.error();
     if (sketch->isPointCloud)
         if (const Result<void> isSurface = checkCloudIsSurface(sketch->strokes); !isSurface)
-            return placed(isSurface.error(), path);
+            return placedIn(isSurface.error(), path);
     SketchInput input;
     input.strokes = std::move(sketch->strokes);
     input.warnings = std::move(sketch->warnings);
     if (sketch->isPointCloud)
-        input.warnings.push_back(path.string() + ": these " + std::to_string(input.strokes.strokes.size()) +
-                                 " points do not follow one another: they are taken as points of the surface, and "
-                                 "creases are found by its shape alone");
+        input.warnings.push_back(
+            path.string() + ": these " + std::to_string(input.strokes.strokes.size()) +
+            " points do not follow one another: they are taken as points of the surface, and "
+            "creases are found by its shape alone");
     return input;
 }
 

@@ -1,5 +1,6 @@
 // Animated GIFs through libavformat, with palettes of our own.
 #include "formats/film/av_handles.h"
+#include "formats/film/film_container.h"
 #include "formats/film/film_sinks.h"
 #include "formats/film/gif_palette.h"
 #include "formats/film/output_place.h"
@@ -15,11 +16,6 @@ constexpr char attempted[] = "Writing the film";
 constexpr int ticksASecond = 100;
 constexpr int shortestTicks = 2; // players show shorter frames for 1/10 s
 
-Error failed(const std::string &problem, int code, const std::filesystem::path &path)
-{
-    return {ErrorCode::WriteFailed, attempted, problem + " (" + avMessage(code) + ")", "", path.string()};
-}
-
 class Gif : public FilmSink
 {
 public:
@@ -27,22 +23,12 @@ public:
         : mOptions(std::move(options)), mTarget(std::move(target)), mPlace(std::move(place))
     {
     }
-    ~Gif() override
-    {
-        if (mContainer && mContainer->pb)
-            avio_closep(&mContainer->pb); // before mPlace removes the file
-    }
 
     Result<void> open();
     Result<void> add(const Image &image) override;
     Result<void> finish() override;
 
 private:
-    struct FreeContainer
-    {
-        void operator()(AVFormatContext *p) const { avformat_free_context(p); }
-    };
-
     Result<void> drain();
     void choosePalette(const Image &image);
     std::int64_t ticksOf(int frame) const;
@@ -50,7 +36,7 @@ private:
     FilmOptions mOptions;
     std::filesystem::path mTarget; // for words
     OutputPlace mPlace;
-    std::unique_ptr<AVFormatContext, FreeContainer> mContainer;
+    FilmContainer mContainer; // after mPlace
     AvOwned<AVCodecContext> mCodec;
     AvOwned<AVPacket> mPacket;
     std::optional<GifPalette> mPalette;
@@ -71,24 +57,24 @@ Result<void> Gif::open()
     mPacket.reset(av_packet_alloc());
     AVStream *stream = avformat_new_stream(container, nullptr);
     if (!mCodec || !mPacket || !stream)
-        return failed("there is not enough memory", AVERROR(ENOMEM), mTarget);
+        return filmWriteError("there is not enough memory", AVERROR(ENOMEM), mTarget);
     mCodec->width = mOptions.width;
     mCodec->height = mOptions.height;
     mCodec->pix_fmt = AV_PIX_FMT_PAL8;
     mCodec->time_base = {1, ticksASecond};
     if (const int code = avcodec_open2(mCodec.get(), encoder, nullptr); code < 0)
-        return failed("its encoder cannot be opened", code, mTarget);
+        return filmWriteError("its encoder cannot be opened", code, mTarget);
     stream->time_base = mCodec->time_base;
     if (const int code = avcodec_parameters_from_context(stream->codecpar, mCodec.get()); code < 0)
-        return failed("its encoder cannot be described", code, mTarget);
+        return filmWriteError("its encoder cannot be described", code, mTarget);
     if (const int code = avio_open(&container->pb, mPlace.path().c_str(), AVIO_FLAG_WRITE); code < 0)
-        return failed("it cannot be opened for writing", code, mTarget);
+        return filmWriteError("it cannot be opened for writing", code, mTarget);
     // Of the last frame; the others last until the next one.
     av_opt_set_int(
         container->priv_data, "final_delay",
         std::max<std::int64_t>(shortestTicks, std::llround(ticksASecond / mOptions.rate.perSecond())), 0);
     if (const int code = avformat_write_header(container, nullptr); code < 0)
-        return failed("its begin cannot be written", code, mTarget);
+        return filmWriteError("its begin cannot be written", code, mTarget);
     return {};
 }
 
@@ -121,19 +107,19 @@ Result<void> Gif::add(const Image &image)
     const std::vector<std::uint8_t> indices = mPalette->indices(image);
     const AvOwned<AVFrame> frame(av_frame_alloc());
     if (!frame)
-        return failed("there is not enough memory", AVERROR(ENOMEM), mTarget);
+        return filmWriteError("there is not enough memory", AVERROR(ENOMEM), mTarget);
     frame->format = AV_PIX_FMT_PAL8;
     frame->width = image.width;
     frame->height = image.height;
     frame->pts = time;
     if (const int code = av_frame_get_buffer(frame.get(), 0); code < 0)
-        return failed("there is not enough memory", code, mTarget);
+        return filmWriteError("there is not enough memory", code, mTarget);
     for (int y = 0; y < image.height; ++y)
         std::memcpy(frame->data[0] + std::ptrdiff_t(y) * frame->linesize[0],
                     indices.data() + std::size_t(y) * std::size_t(image.width), std::size_t(image.width));
     std::memcpy(frame->data[1], mPalette->colours().data(), sizeof mPalette->colours());
     if (const int code = avcodec_send_frame(mCodec.get(), frame.get()); code < 0)
-        return failed("a frame cannot be encoded", code, mTarget);
+        return filmWriteError("a frame cannot be encoded", code, mTarget);
     return drain();
 }
 
@@ -143,7 +129,7 @@ Result<void> Gif::drain()
         mPacket->stream_index = 0;
         av_packet_rescale_ts(mPacket.get(), mCodec->time_base, mContainer->streams[0]->time_base);
         if (const int code = av_interleaved_write_frame(mContainer.get(), mPacket.get()); code < 0)
-            return failed("a part of it cannot be written", code, mTarget);
+            return filmWriteError("a part of it cannot be written", code, mTarget);
     }
     return {};
 }
@@ -154,9 +140,9 @@ Result<void> Gif::finish()
     if (Result<void> drained = drain(); !drained)
         return drained;
     if (const int code = av_write_trailer(mContainer.get()); code < 0)
-        return failed("its end cannot be written", code, mTarget);
+        return filmWriteError("its end cannot be written", code, mTarget);
     if (const int code = avio_closep(&mContainer->pb); code < 0)
-        return failed("its end cannot be written", code, mTarget);
+        return filmWriteError("its end cannot be written", code, mTarget);
     return mPlace.commit();
 }
 

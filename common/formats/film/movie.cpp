@@ -1,4 +1,5 @@
 // MP4 and WebM through libavformat.
+#include "formats/film/film_container.h"
 #include "formats/film/film_sinks.h"
 #include "formats/film/output_place.h"
 #include "formats/film/sound_track.h"
@@ -11,15 +12,6 @@ namespace ductus {
 
 namespace {
 
-constexpr char attempted[] = "Writing the film";
-
-Error failed(const std::string &problem, int code, const std::filesystem::path &path)
-{
-    const bool isFull = code == AVERROR(ENOSPC);
-    return {ErrorCode::WriteFailed, attempted, problem + " (" + avMessage(code) + ")",
-            isFull ? "Free some space and try again" : "", path.string()};
-}
-
 class Movie : public FilmSink
 {
 public:
@@ -27,22 +19,12 @@ public:
         : mOptions(std::move(options)), mTarget(std::move(target)), mPlace(std::move(place))
     {
     }
-    ~Movie() override
-    {
-        if (mContainer && mContainer->pb)
-            avio_closep(&mContainer->pb); // before mPlace removes the file
-    }
 
     Result<void> open();
     Result<void> add(const Image &image) override;
     Result<void> finish() override;
 
 private:
-    struct FreeContainer
-    {
-        void operator()(AVFormatContext *p) const { avformat_free_context(p); }
-    };
-
     Result<void> addStreams();
     Result<void> write(AVPacket &packet, AVRational timeBase, int stream);
     Result<void> writePicture(AVPacket &packet);
@@ -54,7 +36,7 @@ private:
     FilmOptions mOptions;
     std::filesystem::path mTarget; // for words
     OutputPlace mPlace;
-    std::unique_ptr<AVFormatContext, FreeContainer> mContainer;
+    FilmContainer mContainer; // after mPlace
     std::optional<VideoEncoder> mVideo;
     std::unique_ptr<SoundTrack> mSound;              // null: silent
     std::map<std::int64_t, std::int64_t> mDurations; // by time stamp, of frames in the encoder
@@ -67,18 +49,18 @@ Result<void> Movie::open()
     const char *name = mOptions.kind == FilmKind::Mp4 ? "mp4" : "webm";
     if (const int code = avformat_alloc_output_context2(&container, nullptr, name, mPlace.path().c_str());
         code < 0)
-        return failed(std::string("this computer's FFmpeg cannot write ") + name, code, mTarget);
+        return filmWriteError(std::string("this computer's FFmpeg cannot write ") + name, code, mTarget);
     mContainer.reset(container);
     if (Result<void> added = addStreams(); !added)
         return added;
     if (const int code = avio_open(&container->pb, mPlace.path().c_str(), AVIO_FLAG_WRITE); code < 0)
-        return failed("it cannot be opened for writing", code, mTarget);
+        return filmWriteError("it cannot be opened for writing", code, mTarget);
     AVDictionary *settings = nullptr;
     if (mOptions.kind == FilmKind::Mp4) // players can begin before all of it has arrived
         av_dict_set(&settings, "movflags", "+faststart", 0);
     const int code = avformat_write_header(container, &settings);
     av_dict_free(&settings);
-    return code < 0 ? Result<void>(failed("its begin cannot be written", code, mTarget)) : Result<void>();
+    return code < 0 ? Result<void>(filmWriteError("its begin cannot be written", code, mTarget)) : Result<void>();
 }
 
 Result<void> Movie::addStreams()
@@ -97,7 +79,7 @@ Result<void> Movie::addStreams()
     if (!picture || (mSound && !audio) ||
         avcodec_parameters_from_context(picture->codecpar, &mVideo->codec()) < 0 ||
         (audio && avcodec_parameters_copy(audio->codecpar, &mSound->parameters()) < 0))
-        return failed("there is not enough memory", AVERROR(ENOMEM), mTarget);
+        return filmWriteError("there is not enough memory", AVERROR(ENOMEM), mTarget);
     picture->time_base = mVideo->codec().time_base;
     picture->sample_aspect_ratio = {1, 1};
     if (mOptions.frameTimes.empty())
@@ -135,7 +117,7 @@ Result<void> Movie::write(AVPacket &packet, AVRational timeBase, int stream)
     packet.stream_index = stream;
     packet.pos = -1;
     if (const int code = av_interleaved_write_frame(mContainer.get(), &packet); code < 0)
-        return failed("a part of it cannot be written", code, mTarget);
+        return filmWriteError("a part of it cannot be written", code, mTarget);
     return {};
 }
 
@@ -181,9 +163,9 @@ Result<void> Movie::finish()
             !ended)
             return ended;
     if (const int code = av_write_trailer(mContainer.get()); code < 0)
-        return failed("its end cannot be written", code, mTarget);
+        return filmWriteError("its end cannot be written", code, mTarget);
     if (const int code = avio_closep(&mContainer->pb); code < 0)
-        return failed("its end cannot be written", code, mTarget);
+        return filmWriteError("its end cannot be written", code, mTarget);
     return mPlace.commit();
 }
 

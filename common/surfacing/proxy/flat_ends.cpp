@@ -233,12 +233,32 @@ Drawn drawnStrokes(const StrokeSet &strokes)
     return drawn;
 }
 
-bool isAmong(const std::vector<Plane> &planes, const Plane &plane)
+bool isAmong(const std::vector<FlatEnd> &ends, const Vec3 &centre, const Vec3 &normal)
 {
-    return std::any_of(planes.begin(), planes.end(), [&](const Plane &other) {
-        return std::abs(other.normal.dot(plane.normal)) > 0.995 &&
-               (other.centre - plane.centre).norm() < 0.1 * plane.halfWidth;
+    return std::any_of(ends.begin(), ends.end(), [&](const FlatEnd &end) {
+        return std::abs(end.outwards.dot(normal)) > 0.97 && isNear(centre, end.inside, 1.5 * end.spacing);
     });
+}
+
+// The end whose outline \a start is, or is a part of.
+std::optional<FlatEnd> flatEndFrom(const std::vector<Vec3> &start, const Drawn &drawn,
+                                   const NearestOnMesh &wrap, double wrapOffset,
+                                   const FlatEndOptions &options)
+{
+    const Plane rough = planeOf(start);
+    if (!isFlatAndWide(rough, options))
+        return std::nullopt;
+    const double tolerance = std::max(options.tolerance, options.toleranceShare * rough.halfWidth);
+    const std::optional<Outline> outline =
+        outlineAround(carriedOn(drawn, start, rough, tolerance, options.reach), options);
+    if (!outline)
+        return std::nullopt;
+    const Plane &plane = outline->plane;
+    std::vector<Vec3> inside = pointsInside(*outline, options.spacing);
+    const int side = outerSide(plane, inside, wrap, wrapOffset);
+    if (side == 0 || inside.empty() || !isFree(*outline, side, drawn, tolerance, options))
+        return std::nullopt;
+    return FlatEnd{plane.centre, side * plane.normal, std::move(inside), options.spacing};
 }
 
 } // namespace
@@ -248,28 +268,14 @@ std::vector<FlatEnd> flatEndsOf(const StrokeSet &strokes, const Wrap &wrap, cons
     const Drawn drawn = drawnStrokes(strokes);
     const NearestOnMesh nearestWrap(wrap.mesh);
     std::vector<FlatEnd> ends;
-    std::vector<Plane> looked;
-    const auto look = [&](const std::vector<Vec3> &start) {
-        const Plane rough = planeOf(start);
-        if (!isFlatAndWide(rough, options) || isAmong(looked, rough))
-            return;
-        looked.push_back(rough);
-        const double tolerance = std::max(options.tolerance, options.toleranceShare * rough.halfWidth);
-        const std::optional<Outline> outline =
-            outlineAround(carriedOn(drawn, start, rough, tolerance, options.reach), options);
-        if (!outline)
-            return;
-        const std::vector<Vec3> inside = pointsInside(*outline, options.spacing);
-        const int side = outerSide(outline->plane, inside, nearestWrap, wrap.offset);
-        const bool isKnown = std::any_of(ends.begin(), ends.end(), [&](const FlatEnd &end) {
-            return std::abs(end.outwards.dot(outline->plane.normal)) > 0.97 &&
-                   isNear(outline->plane.centre, end.inside, 1.5 * end.spacing);
-        });
-        if (side != 0 && !isKnown && !inside.empty() && isFree(*outline, side, drawn, tolerance, options))
-            ends.push_back({outline->plane.centre, side * outline->plane.normal, inside, options.spacing});
-    };
-    for (const std::vector<Vec3> &stroke : drawn)
-        look(stroke);
+    for (const std::vector<Vec3> &stroke : drawn) {
+        const Plane rough = planeOf(stroke);
+        if (isAmong(ends, rough.centre, rough.normal))
+            continue;
+        std::optional<FlatEnd> end = flatEndFrom(stroke, drawn, nearestWrap, wrap.offset, options);
+        if (end && !isAmong(ends, end->centre, end->outwards))
+            ends.push_back(std::move(*end));
+    }
     return ends;
 }
 
