@@ -179,10 +179,15 @@ void SurfacerWindow::adoptSketch(ImportedSketch sketch)
         messages()->info(tr("These %n points do not follow one another: they are taken as points of the "
                             "surface, and creases are found by its shape alone.",
                             nullptr, int(mSketch.strokes().strokes.size())));
-    if (!sketch.cables.empty())
-        messages()->info(tr("%n stroke(s) look like a cable and become thin tubes. If it is none, select the "
-                            "stroke and set its role to \u201con the surface\u201d.",
-                            nullptr, int(sketch.cables.size())));
+    if (sketch.cables.size() == 1)
+        messages()->info(
+            tr("A stroke looks like a cable and becomes a thin tube. If it is none, select it and set "
+               "its role to \u201con the surface\u201d."));
+    else if (!sketch.cables.empty())
+        messages()->info(
+            tr("%n strokes look like cables and become thin tubes. Where one is none, select it and set "
+               "its role to \u201con the surface\u201d.",
+               nullptr, int(sketch.cables.size())));
     if (!sketch.warnings.isEmpty())
         messages()->warning(tr("Some of the sketch was skipped: %1").arg(sketch.warnings.first()),
                             sketch.warnings.size() > 1
