@@ -2,56 +2,18 @@
 
 #include "geometry/nearest.h"
 #include "strokes/resample.h"
-
-#include <Eigen/Eigenvalues>
+#include "surfacing/proxy/hull_outlines.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numbers>
-#include <optional>
 
 namespace ductus {
 
 namespace {
 
-using Vec2 = Eigen::Vector2d;
-
-constexpr int directions = 72;
 constexpr double sampleStep = 0.0025; // less than a direction's width along the least outline
 
-struct Plane
-{
-    Vec3 centre, normal, u, v;
-    double halfWidth = 0.0, lesserHalfWidth = 0.0, meanDistance = 0.0;
-
-    double height(const Vec3 &p) const { return normal.dot(p - centre); }
-    Vec2 across(const Vec3 &p) const { return {u.dot(p - centre), v.dot(p - centre)}; }
-    Vec3 at(const Vec2 &p) const { return centre + p.x() * u + p.y() * v; }
-};
-
-Plane planeOf(const std::vector<Vec3> &points)
-{
-    Plane plane;
-    plane.centre = Vec3::Zero();
-    for (const Vec3 &p : points)
-        plane.centre += p / double(points.size());
-    Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
-    for (const Vec3 &p : points)
-        scatter += (p - plane.centre) * (p - plane.centre).transpose();
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(scatter);
-    plane.normal = axes.eigenvectors().col(0);
-    plane.u = axes.eigenvectors().col(2);
-    plane.v = plane.normal.cross(plane.u);
-    for (const Vec3 &p : points) {
-        plane.halfWidth = std::max(plane.halfWidth, std::abs(plane.across(p).x()));
-        plane.lesserHalfWidth = std::max(plane.lesserHalfWidth, std::abs(plane.across(p).y()));
-        plane.meanDistance += std::abs(plane.height(p)) / double(points.size());
-    }
-    return plane;
-}
-
-bool isFlatAndWide(const Plane &plane, const FlatEndOptions &options)
+bool isFlatAndWide(const OutlinePlane &plane, const FlatEndOptions &options)
 {
     return plane.halfWidth >= options.leastSize &&
            plane.lesserHalfWidth >= options.leastRoundness * plane.halfWidth &&
@@ -61,21 +23,19 @@ bool isFlatAndWide(const Plane &plane, const FlatEndOptions &options)
 // Samples of one stroke each.
 using Drawn = std::vector<std::vector<Vec3>>;
 
-bool liesIn(const Plane &plane, const std::vector<Vec3> &stroke, double tolerance)
-{
-    const auto in = std::count_if(stroke.begin(), stroke.end(),
-                                  [&](const Vec3 &p) { return std::abs(plane.height(p)) < tolerance; });
-    return double(in) >= 0.9 * double(stroke.size());
-}
-
 bool isNear(const Vec3 &end, const std::vector<Vec3> &points, double distance)
 {
     return std::any_of(points.begin(), points.end(),
                        [&](const Vec3 &p) { return (p - end).squaredNorm() < distance * distance; });
 }
 
+double toleranceOf(const OutlinePlane &plane, const FlatEndOptions &options)
+{
+    return std::max(options.tolerance, options.toleranceShare * plane.halfWidth);
+}
+
 // Strokes of the plane that lie in it, from those at the start on to all that carry the outline on.
-std::vector<Vec3> carriedOn(const Drawn &drawn, const std::vector<Vec3> &start, const Plane &plane,
+std::vector<Vec3> carriedOn(const Drawn &drawn, const std::vector<Vec3> &start, const OutlinePlane &plane,
                             double tolerance, double reach)
 {
     std::vector<Vec3> outline = start;
@@ -83,7 +43,7 @@ std::vector<Vec3> carriedOn(const Drawn &drawn, const std::vector<Vec3> &start, 
     for (bool grows = true; grows;) {
         grows = false;
         for (std::size_t s = 0; s < drawn.size(); ++s) {
-            if (isTaken[s] || !liesIn(plane, drawn[s], tolerance) ||
+            if (isTaken[s] || !liesInPlane(drawn[s], plane.centre, plane.normal, tolerance) ||
                 !(isNear(drawn[s].front(), outline, reach) || isNear(drawn[s].back(), outline, reach)))
                 continue;
             outline.insert(outline.end(), drawn[s].begin(), drawn[s].end());
@@ -94,110 +54,25 @@ std::vector<Vec3> carriedOn(const Drawn &drawn, const std::vector<Vec3> &start, 
     return outline;
 }
 
-// How far the outline is from its middle in each direction; 0 where nothing is drawn.
-using Radii = std::array<double, directions>;
-
-int directionOf(const Vec2 &p)
-{
-    const double turn = std::atan2(p.y(), p.x()) / (2.0 * std::numbers::pi) + 0.5;
-    return std::clamp(int(turn * directions), 0, directions - 1);
-}
-
-int longestGap(const Radii &radii)
-{
-    int longest = 0, gap = 0;
-    for (int turn = 0; turn < 2 * directions; ++turn) {
-        gap = radii[std::size_t(turn % directions)] > 0.0 ? 0 : gap + 1;
-        longest = std::max(longest, gap);
-    }
-    return longest;
-}
-
-struct Outline
-{
-    Plane plane;
-    Radii radii;
-    std::vector<Vec3> points;
-
-    bool isInside(const Vec2 &p, double share) const
-    {
-        return p.norm() < share * radii[std::size_t(directionOf(p))];
-    }
-};
-
-// Nearly all of it lies at one distance in each direction: no tangle of strokes that share a plane.
-bool goesOnceRound(const Outline &outline, double raggedness)
-{
-    const auto ragged = std::count_if(outline.points.begin(), outline.points.end(), [&](const Vec3 &p) {
-        const Vec2 q = outline.plane.across(p);
-        const double radius = outline.radii[std::size_t(directionOf(q))];
-        return std::abs(q.norm() - radius) > raggedness * radius;
-    });
-    return double(ragged) <= 0.1 * double(outline.points.size());
-}
-
-std::optional<Outline> outlineAround(const std::vector<Vec3> &points, const FlatEndOptions &options)
-{
-    Outline outline{planeOf(points), {}, points};
-    const Plane &plane = outline.plane;
-    if (!isFlatAndWide(plane, options))
-        return std::nullopt;
-    Radii &radii = outline.radii;
-    std::array<int, directions> counts{};
-    radii.fill(0.0);
-    for (const Vec3 &p : points) {
-        const Vec2 q = plane.across(p);
-        const std::size_t d = std::size_t(directionOf(q));
-        radii[d] += (q.norm() - radii[d]) / ++counts[d];
-    }
-    const auto drawn = std::count_if(radii.begin(), radii.end(), [](double r) { return r > 0.0; });
-    if (double(drawn) < options.coverage * directions || longestGap(radii) > options.longestGap * directions)
-        return std::nullopt;
-    if (!goesOnceRound(outline, options.raggedness))
-        return std::nullopt;
-    for (int turn = 0; turn < 2 * directions; ++turn)
-        if (double &r = radii[std::size_t(turn % directions)]; r == 0.0)
-            r = radii[std::size_t((turn + directions - 1) % directions)];
-    return outline;
-}
-
-// Nothing drawn says that the end is a dome or a dent.
-bool isFree(const Outline &outline, int side, const Drawn &drawn, double tolerance,
+// Nothing drawn says that the end is a dome or a dent: a stroke inside the outline that hovers above it, or
+// lies so shallow below that it is no side of the solid.
+bool isFree(const Outline &outline, const Vec3 &outwards, const Drawn &drawn, double tolerance,
             const FlatEndOptions &options)
 {
-    const Plane &plane = outline.plane;
+    const OutlinePlane &plane = outline.plane;
+    const double highest = options.freeHeight * plane.halfWidth,
+                 deepest = options.freeDepth * plane.halfWidth;
     for (const std::vector<Vec3> &stroke : drawn)
         for (const Vec3 &p : stroke) {
-            const double height = side * plane.height(p);
-            if (height < options.freeHeight * plane.halfWidth &&
-                height > -options.freeDepth * plane.halfWidth && std::abs(height) > tolerance &&
-                outline.isInside(plane.across(p), options.innerShare))
+            const Eigen::Vector2d q = plane.across(p);
+            const double height = outwards.dot(p - plane.centre);
+            if (std::abs(height) < tolerance || height > highest || !outline.isInside(q, options.innerShare))
+                continue;
+            const double fromOutline = outline.radiusTowards(q) - q.norm();
+            if (height > -std::min(deepest, options.shallowSlope * fromOutline))
                 return false;
         }
     return true;
-}
-
-// As high as the outline around it, its near parts first.
-double heightInside(const Outline &outline, const Vec2 &place)
-{
-    double sum = 0.0, weights = 0.0;
-    for (const Vec3 &p : outline.points) {
-        const double weight = 1.0 / ((outline.plane.across(p) - place).squaredNorm() + 1e-6);
-        sum += weight * outline.plane.height(p);
-        weights += weight;
-    }
-    return sum / weights;
-}
-
-std::vector<Vec3> pointsInside(const Outline &outline, double spacing)
-{
-    std::vector<Vec3> points;
-    const int n = int(std::ceil(1.5 * outline.plane.halfWidth / spacing));
-    for (int i = -n; i <= n; ++i)
-        for (int j = -n; j <= n; ++j)
-            if (const Vec2 p = spacing * Vec2(i + 0.5 * (j & 1), 0.866 * j); outline.isInside(p, 0.92))
-                points.push_back(outline.plane.at(p) + heightInside(outline, p) * outline.plane.normal);
-    return points;
 }
 
 // Points from which the solid is met straight on between \a nearest and \a farthest.
@@ -212,16 +87,29 @@ int pointsOver(const NearestOnMesh &wrap, const std::vector<Vec3> &points, const
     }));
 }
 
-// +1 or -1: the side of the plane that is outside while the solid lies on the other one; 0 within the solid
-// or away from it.
-int outerSide(const Plane &plane, const std::vector<Vec3> &inside, const NearestOnMesh &wrap,
-              double wrapOffset)
+// The side of an outline that is outside while the solid lies on the other one; none within the solid or
+// away from it.
+std::optional<Vec3> outerSide(const OutlinePlane &plane, const std::vector<Vec3> &inside,
+                              const NearestOnMesh &wrap, double wrapOffset)
 {
     const double nearest = 1.5 * wrapOffset, farthest = std::max(nearest, 0.5 * plane.lesserHalfWidth);
     const int above = pointsOver(wrap, inside, plane.normal, nearest, farthest),
               below = pointsOver(wrap, inside, -plane.normal, nearest, farthest);
     const int few = int(inside.size()) / 5, most = int(inside.size()) * 4 / 5;
-    return above <= few && below >= most ? 1 : below <= few && above >= most ? -1 : 0;
+    if (above <= few && below >= most)
+        return plane.normal;
+    if (below <= few && above >= most)
+        return -plane.normal;
+    return std::nullopt;
+}
+
+// A hull has nothing outside; the wrap may have come in through the end that is missing, but not everywhere
+// as through the hole of a ring.
+bool isSolidUnder(const OutlinePlane &plane, const Vec3 &outwards, const std::vector<Vec3> &inside,
+                  const NearestOnMesh &wrap, double wrapOffset)
+{
+    const double nearest = 1.5 * wrapOffset, farthest = std::max(nearest, 0.5 * plane.lesserHalfWidth);
+    return pointsOver(wrap, inside, -outwards, nearest, farthest) >= int(inside.size()) * 4 / 5;
 }
 
 Drawn drawnStrokes(const StrokeSet &strokes)
@@ -245,20 +133,33 @@ std::optional<FlatEnd> flatEndFrom(const std::vector<Vec3> &start, const Drawn &
                                    const NearestOnMesh &wrap, double wrapOffset,
                                    const FlatEndOptions &options)
 {
-    const Plane rough = planeOf(start);
+    const OutlinePlane rough = planeThrough(start);
     if (!isFlatAndWide(rough, options))
         return std::nullopt;
-    const double tolerance = std::max(options.tolerance, options.toleranceShare * rough.halfWidth);
+    const double tolerance = toleranceOf(rough, options);
     const std::optional<Outline> outline =
-        outlineAround(carriedOn(drawn, start, rough, tolerance, options.reach), options);
-    if (!outline)
+        outlineThrough(carriedOn(drawn, start, rough, tolerance, options.reach), options.drawnOutline);
+    if (!outline || !isFlatAndWide(outline->plane, options))
         return std::nullopt;
-    const Plane &plane = outline->plane;
     std::vector<Vec3> inside = pointsInside(*outline, options.spacing);
-    const int side = outerSide(plane, inside, wrap, wrapOffset);
-    if (side == 0 || inside.empty() || !isFree(*outline, side, drawn, tolerance, options))
+    const std::optional<Vec3> outwards = outerSide(outline->plane, inside, wrap, wrapOffset);
+    if (!outwards || inside.empty() || !isFree(*outline, *outwards, drawn, tolerance, options))
         return std::nullopt;
-    return FlatEnd{plane.centre, side * plane.normal, std::move(inside), options.spacing};
+    return FlatEnd{outline->plane.centre, *outwards, std::move(inside), options.spacing};
+}
+
+std::optional<FlatEnd> flatEndOnHull(const HullOutline &found, const Drawn &drawn, const NearestOnMesh &wrap,
+                                     double wrapOffset, const FlatEndOptions &options)
+{
+    const std::optional<Outline> outline = outlineThrough(found.points, options.hullOutline);
+    if (!outline || !isFlatAndWide(outline->plane, options))
+        return std::nullopt;
+    const double spacing = std::max(options.spacing, options.hullSpacing * outline->plane.halfWidth);
+    std::vector<Vec3> inside = pointsInside(*outline, spacing);
+    if (inside.empty() || !isSolidUnder(outline->plane, found.outwards, inside, wrap, wrapOffset) ||
+        !isFree(*outline, found.outwards, drawn, toleranceOf(outline->plane, options), options))
+        return std::nullopt;
+    return FlatEnd{outline->plane.centre, found.outwards, std::move(inside), spacing};
 }
 
 } // namespace
@@ -269,10 +170,15 @@ std::vector<FlatEnd> flatEndsOf(const StrokeSet &strokes, const Wrap &wrap, cons
     const NearestOnMesh nearestWrap(wrap.mesh);
     std::vector<FlatEnd> ends;
     for (const std::vector<Vec3> &stroke : drawn) {
-        const Plane rough = planeOf(stroke);
+        const OutlinePlane rough = planeThrough(stroke);
         if (isAmong(ends, rough.centre, rough.normal))
             continue;
         std::optional<FlatEnd> end = flatEndFrom(stroke, drawn, nearestWrap, wrap.offset, options);
+        if (end && !isAmong(ends, end->centre, end->outwards))
+            ends.push_back(std::move(*end));
+    }
+    for (const HullOutline &outline : outlinesOnHull(drawn, options.tolerance, options.leastHullArea)) {
+        std::optional<FlatEnd> end = flatEndOnHull(outline, drawn, nearestWrap, wrap.offset, options);
         if (end && !isAmong(ends, end->centre, end->outwards))
             ends.push_back(std::move(*end));
     }

@@ -3,6 +3,7 @@
 #include "strokes/resample.h"
 
 #include <QtTest>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -88,6 +89,48 @@ private slots:
         QCOMPARE(endsOf(set).size(), std::size_t(1));
     }
 
+    // No stroke of the floor of this trough shows its plane alone, but all stand on the hull.
+    void floorsThatStraightStrokesStandOnAreFlat()
+    {
+        const double length = 0.8, width = 0.4, high = 0.25;
+        const auto trough = [&] {
+            StrokeSet set;
+            for (const double y : {0.0, high})
+                for (const double side : {-0.5, 0.5}) {
+                    set.strokes.push_back(
+                        line({-0.5 * length, y, side * width}, {0.5 * length, y, side * width}));
+                    set.strokes.push_back(
+                        line({side * length, y, -0.5 * width}, {side * length, y, 0.5 * width}));
+                }
+            for (int i = 0; i <= 4; ++i) // over the top, so that it is no floor
+                for (const double side : {-0.5, 0.5}) {
+                    const double x = (0.25 * i - 0.5) * length;
+                    set.strokes.push_back(line({x, 0.0, side * width}, {x, high, side * width}));
+                    set.strokes.push_back(line({x, high, side * width}, {x, high + 0.1, 0.0}));
+                }
+            return set;
+        };
+        const auto floors = [](const std::vector<FlatEnd> &ends) {
+            return std::count_if(ends.begin(), ends.end(),
+                                 [](const FlatEnd &end) { return end.outwards.y() < -0.99; });
+        };
+        const StrokeSet set = trough();
+        const std::vector<FlatEnd> ends = endsOf(set);
+        QCOMPARE(floors(ends), 1);
+        for (const FlatEnd &end : ends)
+            if (end.outwards.y() < -0.99)
+                for (const Vec3 &p : end.inside)
+                    QVERIFY(std::abs(p.y()) < 1e-3);
+
+        StrokeSet dented = trough();
+        Stroke dent;
+        for (int i = 0; i <= 40; ++i)
+            dent.points.push_back(
+                {(0.025 * i - 0.5) * length, 0.08 * std::sin(std::numbers::pi * i / 40), 0.0});
+        dented.strokes.push_back(dent);
+        QCOMPARE(floors(endsOf(dented)), 0);
+    }
+
     void profilesAcrossMakeItADome()
     {
         StrokeSet set = tinSide();
@@ -101,10 +144,7 @@ private slots:
         QVERIFY(endsOf(set).empty());
     }
 
-    void crossSectionsWithinASolidAreNoEnds()
-    {
-        QVERIFY(endsOf(tinSide()).empty());
-    }
+    void crossSectionsWithinASolidAreNoEnds() { QVERIFY(endsOf(tinSide()).empty()); }
 
     void halfAnOutlineIsNoEnd()
     {
