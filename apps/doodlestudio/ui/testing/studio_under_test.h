@@ -14,6 +14,7 @@
 #include <QtEndian>
 #include <QtTest>
 #include <cmath>
+#include <utility>
 
 namespace ductus {
 
@@ -78,6 +79,7 @@ struct StudioUnderTest
     StudioUnderTest()
     {
         qputenv("XDG_STATE_HOME", folder.filePath("state").toUtf8()); // nothing of the user's own is offered
+        qputenv("XDG_CACHE_HOME", folder.filePath("cache").toUtf8()); // nor taken
         settings.setRaw(QStringLiteral("appearance/theme"), qEnvironmentVariable("DUCTUS_THEME", "dark"));
         window = std::make_unique<StudioWindow>(ShellServices{&settings, &jobs, &actions});
         const QStringList size = qEnvironmentVariable("DUCTUS_SIZE", "1280x800").split('x');
@@ -101,23 +103,33 @@ struct StudioUnderTest
     }
     void trigger(const char *id) { actions.action(QLatin1String(id))->trigger(); }
 
+    /// By the mouse as the window system tells of it: widgets, focus and cursors do what they do for users.
     static void drag(QWidget &on, const std::vector<QPointF> &points)
     {
-        const auto send = [&](QEvent::Type type, const QPointF &p, Qt::MouseButton button,
-                              Qt::MouseButtons buttons) {
-            QMouseEvent event(type, p, on.mapToGlobal(p), button, buttons, Qt::NoModifier);
-            QApplication::sendEvent(&on, &event);
+        QWindow *handle = on.window()->windowHandle();
+        const auto inWindow = [&](const QPointF &p) { return on.mapTo(on.window(), p.toPoint()); };
+        QTest::mouseMove(handle, inWindow(points.front()));
+        QTest::mousePress(handle, Qt::LeftButton, {}, inWindow(points.front()));
+        for (const QPointF &p : points) {
+            QTest::mouseMove(handle, inWindow(p));
             QCoreApplication::processEvents();
-        };
-        send(QEvent::MouseMove, points.front(), Qt::NoButton, Qt::NoButton);
-        send(QEvent::MouseButtonPress, points.front(), Qt::LeftButton, Qt::LeftButton);
-        for (const QPointF &p : points)
-            send(QEvent::MouseMove, p, Qt::NoButton, Qt::LeftButton);
-        send(QEvent::MouseButtonRelease, points.back(), Qt::LeftButton, Qt::NoButton);
+        }
+        QTest::mouseRelease(handle, Qt::LeftButton, {}, inWindow(points.back()));
+    }
+    /// Parts that were shown or hidden have their places.
+    void settle()
+    {
+        QRectF before, now = window->player().pictureRect();
+        for (int still = 0; still < 3; still = now == before ? still + 1 : 0) {
+            QCoreApplication::sendPostedEvents();
+            QCoreApplication::processEvents();
+            before = std::exchange(now, window->player().pictureRect());
+        }
     }
     /// On the picture, working pixels.
     void dragOnPicture(const std::vector<Vec2> &points)
     {
+        settle();
         std::vector<QPointF> inView;
         for (const Vec2 &p : points)
             inView.push_back(window->player().toView(toPoint(p)));
@@ -126,6 +138,7 @@ struct StudioUnderTest
     /// On the sheet in the drawing panel; shares of it, -0.5 .. 0.5.
     void drawOnSheet(const std::vector<Vec2> &points)
     {
+        settle();
         DrawingView &view = window->drawing().view();
         const QRectF sheet = view.sheetRect();
         std::vector<QPointF> inView;
