@@ -91,16 +91,22 @@ Result<void> PaintingRenderer::Parts::drawView(std::size_t index, const RenderVi
     views[index].camera = view.camera;
     views[index].peeled = needsPeeling(painting);
     viewUniforms.set(view.camera, view.width, view.height);
-    FrameContext frame{painting,
-                       *programs,
-                       views[index].buffers,
-                       commands,
-                       nothing,
-                       view.camera,
-                       ScreenFinder(view.camera, view.width, view.height),
-                       {options.smallestPixels, options.errorPixels},
-                       0,
-                       {}};
+    FrameContext frame{
+        painting,
+        *programs,
+        views[index].buffers,
+        commands,
+        nothing,
+        view.camera,
+        ScreenFinder(view.camera, view.width, view.height),
+        {options.smallestPixels, options.errorPixels, options.ribbonPixels, options.ribbonVertices},
+        {},
+        0,
+        {}};
+    Result<RibbonPlan> ribbons = planRibbons(painting, frame.screen, frame.detail);
+    if (!ribbons)
+        return ribbons.error();
+    frame.ribbons = std::move(*ribbons);
     Result<void> done = drawFrame(frame, blocks);
     if (done) {
         glBindFramebuffer(GL_FRAMEBUFFER, view.framebuffer);
@@ -108,6 +114,7 @@ Result<void> PaintingRenderer::Parts::drawView(std::size_t index, const RenderVi
     }
     statistics.draws += frame.statistics.draws;
     statistics.segments += frame.statistics.segments;
+    statistics.ribbonVertices += frame.statistics.ribbonVertices;
     statistics.peels = std::max(statistics.peels, frame.statistics.peels);
     return done;
 }
@@ -207,11 +214,20 @@ Result<std::optional<PickedPoint>> PaintingRenderer::pick(std::size_t view, int 
                                      seen.camera.eye + double(place->depth) * ray, double(place->depth)});
 }
 
+std::optional<SeenSurface> PaintingRenderer::seenSurface(std::size_t view) const
+{
+    if (view >= mParts->views.size() || !mParts->views[view].buffers.surface)
+        return std::nullopt;
+    const Parts::View &seen = mParts->views[view];
+    const GlTexture &surface = seen.peeled ? seen.buffers.firstSurface : seen.buffers.surface;
+    return SeenSurface{surface.name(), seen.buffers.samples()};
+}
+
 RenderStatistics PaintingRenderer::statistics() const
 {
     const UploadedBytes bytes = mParts->painting.uploaded();
-    return {mParts->statistics.draws, mParts->statistics.segments, bytes.geometry, bytes.elements,
-            bytes.reach};
+    const FrameStatistics &frame = mParts->statistics;
+    return {frame.draws, frame.segments, frame.ribbonVertices, bytes.geometry, bytes.elements, bytes.reach};
 }
 
 } // namespace ductus

@@ -26,6 +26,11 @@ struct RenderOptions
     // 0 for both gives the reference's frames; windows may ask for about 0.5.
     double smallestPixels = 0; // strokes that are smaller across are left out
     double errorPixels = 0;    // strokes without tolerance may be drawn with fewer points, this much off
+    // For large paintings while the view turns, else 0: strokes of shapes that are no wider than this to each
+    // side are drawn as ribbons, of which no more than so many vertices; where that is too few for all
+    // strokes, some grow wider and stand for the others.
+    double ribbonPixels = 0;
+    int ribbonVertices = 0;
 };
 
 struct RenderView
@@ -41,7 +46,8 @@ struct RenderView
 struct RenderStatistics
 {
     int draws = 0;
-    std::uint64_t segments = 0;      // of strokes, all views
+    std::uint64_t segments = 0; // of strokes, all views
+    std::uint64_t ribbonVertices = 0;
     std::uint64_t geometryBytes = 0; // sent to the card since the renderer was made
     std::uint64_t elementBytes = 0;  // placements and order, likewise
     std::uint64_t reachBytes = 0;    // directions of tolerance, likewise
@@ -54,6 +60,14 @@ struct PickedPoint
     ElementId element; // of the substrate
     Vec3 position;     // scene units
     double depth = 0;  // along the view
+};
+
+/// The card's own record of a frame, for what is drawn over it: RG32UI, in the first part the stack (0:
+/// nothing), in the second the bits of the depth along the view, rows from the bottom.
+struct SeenSurface
+{
+    std::uint32_t texture = 0; // multisampled if there are several samples
+    int samples = 1;
 };
 
 class PaintingRenderer
@@ -82,6 +96,9 @@ public:
     /// What the last frame shows at a pixel of its view number \a view, rows from the top; none for the
     /// background. Waits for the card. For the layers that colour the point see PaintingSolid::coloursAt.
     Result<std::optional<PickedPoint>> pick(std::size_t view, int x, int y);
+
+    /// Of the last frame's view number \a view; good until the next frame.
+    std::optional<SeenSurface> seenSurface(std::size_t view) const;
 
     /// Of the last frame.
     RenderStatistics statistics() const;

@@ -240,6 +240,29 @@ PaintingScene strokeOrder()
     return scene("stroke-order", std::move(builder), cameraAt({0, -0.6, 2.6}));
 }
 
+/// Opaque strokes over each other in layers that are not: of each only the topmost one shows.
+PaintingScene opaqueStrokesInClearLayers()
+{
+    PaintingBuilder builder;
+    const int stack = addPlate(builder);
+    int number = 0;
+    for (const auto &[mode, opacity] :
+         {std::pair(BlendMode::Normal, 0.5), std::pair(BlendMode::Multiply, 0.8),
+          std::pair(BlendMode::Screen, 0.6), std::pair(BlendMode::Multiply, 1.0)}) {
+        Layer &layer = builder.addLayer(stack, "Layer " + std::to_string(number));
+        layer.properties.blendMode = mode;
+        layer.properties.opacity = opacity;
+        const float y = -0.5f + 0.3f * float(number++);
+        builder.add(layer, evenStroke(StrokeSection::Round, {{-0.8f, y, 0}, {0.8f, y, 0}}, 0.14f, blue));
+        builder.add(
+            layer, evenStroke(StrokeSection::Round, {{-0.5f, y - 0.3f, 0}, {-0.3f, y + 0.3f, 0}}, 0.1f, red));
+        builder.add(layer, evenStroke(StrokeSection::Cube, wave(y + 0.05f, 0, 0.15f), 0.06f, yellow));
+        builder.add(layer,
+                    evenStroke(StrokeSection::Round, {{0.2f, y - 0.3f, 0}, {0.5f, y + 0.3f, 0}}, 0.1f, dark));
+    }
+    return scene("opaque-strokes-in-clear-layers", std::move(builder), cameraAt({0, -0.6, 2.4}));
+}
+
 PaintingScene toleranceOnFlat(int view)
 {
     return toleranceScene("tolerance-on-flat", view, false);
@@ -554,6 +577,7 @@ std::vector<PaintingScene> allPaintingScenes()
                                       cameraInsideAStroke(),
                                       selfOverlap(),
                                       strokeOrder(),
+                                      opaqueStrokesInClearLayers(),
                                       toleranceReach(),
                                       toleranceOfView(),
                                       allSections(),

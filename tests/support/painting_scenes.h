@@ -53,6 +53,7 @@ PaintingScene intersectionFromOutside();
 PaintingScene cameraInsideAStroke();
 PaintingScene selfOverlap();
 PaintingScene strokeOrder();
+PaintingScene opaqueStrokesInClearLayers();
 /// The mark is a round stroke along x at height 0.05 with half width 0.1 and tolerance 0.08; view 0..4 are
 /// five directions, 5 and 6 the two eyes of a head before it.
 PaintingScene toleranceOnFlat(int view);

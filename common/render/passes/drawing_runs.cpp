@@ -7,7 +7,7 @@ namespace ductus {
 namespace {
 
 /// Elements that are drawn alike, so that changes between them stay rare: each costs a draw.
-constexpr std::size_t chunk = 64;
+constexpr std::size_t chunk = RibbonChunks::strokesPerChunk;
 
 /// Whether all strokes of a chunk are so far away that those with fewer points serve.
 std::vector<bool> chunksThatMayBeCoarse(const DrawnLayer &layer, const ScreenFinder &screen,
@@ -25,16 +25,19 @@ std::vector<bool> chunksThatMayBeCoarse(const DrawnLayer &layer, const ScreenFin
 
 } // namespace
 
-LayerInView layerInView(const DrawnLayer &layer, const ScreenFinder &screen, double margin,
-                        const Detail &detail, bool mayBeCoarse)
+LayerInView layerInView(const DrawnLayer &layer, const ScreenFinder &screen, const Detail &detail,
+                        const ElementsWanted &wanted)
 {
     LayerInView view;
-    const std::vector<bool> coarseChunks = mayBeCoarse
+    const std::vector<bool> coarseChunks = wanted.mayBeCoarse
                                                ? chunksThatMayBeCoarse(layer, screen, detail.errorPixels)
                                                : std::vector<bool>(layer.elements.size() / chunk + 1);
-    for (std::size_t at = 0; at < layer.elements.size(); ++at) {
+    for (std::size_t step = 0; step < layer.elements.size(); ++step) {
+        const std::size_t at = wanted.isBackwards ? layer.elements.size() - 1 - step : step;
+        if (wanted.skipped && (*wanted.skipped)[at / chunk])
+            continue;
         const DrawnElement &element = layer.elements[at];
-        const double radius = element.radius + margin;
+        const double radius = element.radius + wanted.margin;
         const PixelRect rect = screen.rect(element.centre, radius);
         if (rect.isEmpty() || screen.pixels(element.centre, radius, 2 * radius) < detail.smallestPixels)
             continue;
@@ -51,7 +54,7 @@ LayerInView layerInView(const DrawnLayer &layer, const ScreenFinder &screen, dou
         run.rect = run.rect.with(rect);
         view.segments += range.count;
         DrawCommand *last = run.commandCount > 0 ? &view.commands.back() : nullptr;
-        if (last && last->firstInstance + last->instances == range.first) {
+        if (last && !wanted.isBackwards && last->firstInstance + last->instances == range.first) {
             last->instances += range.count;
         } else {
             view.commands.push_back({36, range.count, 0, 0, range.first});

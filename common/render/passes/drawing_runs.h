@@ -40,11 +40,20 @@ struct Detail
 {
     double smallestPixels = 0; // what is smaller across is left out
     double errorPixels = 0;    // strokes may be this much off
+    double ribbonPixels = 0;   // shapes' strokes of no more half width may be ribbons
+    int ribbonVertices = 0;    // of a frame, at most
 };
 
-/// \a margin: by how much elements reach beyond themselves, scene units. \a mayBeCoarse: whether strokes with
-/// fewer points serve as well.
-LayerInView layerInView(const DrawnLayer &layer, const ScreenFinder &screen, double margin,
-                        const Detail &detail, bool mayBeCoarse);
+struct ElementsWanted
+{
+    double margin = 0;        // by how much elements reach beyond themselves, scene units
+    bool mayBeCoarse = false; // strokes with fewer points serve as well
+    bool isBackwards = false; // from the last to the first
+    /// Of each RibbonChunks::strokesPerChunk elements whether they are drawn otherwise; null: none are.
+    const std::vector<bool> *skipped = nullptr;
+};
+
+LayerInView layerInView(const DrawnLayer &layer, const ScreenFinder &screen, const Detail &detail,
+                        const ElementsWanted &wanted);
 
 } // namespace ductus

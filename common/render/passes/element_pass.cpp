@@ -41,6 +41,35 @@ public:
         return {};
     }
 
+    Result<void> drawRibbons(const RibbonPlan::Layer &plan)
+    {
+        const Result<const Program *> program = mFrame.programs.ribbons(isPeeling);
+        if (!program)
+            return program.error();
+        use(**program);
+        const auto &colour = mLayer.properties.colour;
+        const Eigen::Vector3f shown =
+            inBlendSpace(mFrame.painting.blendSpace(), colour.value_or(Eigen::Vector3f::Zero()));
+        glUniform4f((*program)->at("ribbonColour"), shown[0], shown[1], shown[2], colour ? 1.f : 0.f);
+        glBindVertexArray(mFrame.painting.ribbons().array());
+        const GlBuffer widenings = GlBuffer::create(), commands = GlBuffer::create();
+        glBindBuffer(GL_ARRAY_BUFFER, widenings.name());
+        glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(plan.widenings.size() * sizeof(float)),
+                     plan.widenings.data(), GL_STREAM_DRAW);
+        glEnableVertexAttribArray(5);
+        glVertexAttribDivisor(5, 1);
+        glVertexAttribPointer(5, 1, GL_FLOAT, GL_FALSE, sizeof(float), nullptr);
+        glBindBuffer(GL_DRAW_INDIRECT_BUFFER, commands.name());
+        glBufferData(GL_DRAW_INDIRECT_BUFFER, GLsizeiptr(plan.commands.size() * sizeof(StripCommand)),
+                     plan.commands.data(), GL_STREAM_DRAW);
+        glDisable(GL_CULL_FACE);
+        glMultiDrawArraysIndirect(GL_TRIANGLE_STRIP, nullptr, GLsizei(plan.commands.size()), 0);
+        ++mFrame.statistics.draws;
+        mFrame.statistics.ribbonVertices += plan.vertices;
+        return {};
+    }
+
+    StrokeInk ink;
     bool isPeeling = false;
     int peel = 0;
 
@@ -165,6 +194,8 @@ private:
         glUniform1ui(program.at("onlyStack"), GLuint(mOnlyStack.value));
         glUniform1ui(program.at("orderBase"), mFrame.orderBase);
         glUniform1i(program.at("peelCount"), peel);
+        glUniform1ui(program.at("orderStep"), ink.onlyFirst ? 0 : 1);
+        glUniform1f(program.at("share"), float(ink.share));
     }
 
     FrameContext &mFrame;
@@ -181,13 +212,19 @@ Result<void> drawSubstrate(FrameContext &frame, const DrawnLayer &layer, int pee
     ElementDrawing drawing(frame, layer, Pass::Substrate, StackId{0});
     drawing.peel = peel;
     drawing.isPeeling = peeling;
-    return drawing.draw(lookAt(frame, layer, true));
+    const RibbonPlan::Layer *ribbons = frame.ribbons.of(layer);
+    const LayerInView exact = frame.lookAt(layer, {0, true, false, ribbons ? &ribbons->isDrawn : nullptr});
+    if (Result<void> done = drawing.draw(exact); !done || !ribbons)
+        return done;
+    return drawing.drawRibbons(*ribbons);
 }
 
 Result<void> drawAppearance(FrameContext &frame, const DrawnLayer &layer, const LayerInView &inView,
-                            StackId onlyStack)
+                            StackId onlyStack, const StrokeInk &ink)
 {
-    return ElementDrawing(frame, layer, Pass::Appearance, onlyStack).draw(inView);
+    ElementDrawing drawing(frame, layer, Pass::Appearance, onlyStack);
+    drawing.ink = ink;
+    return drawing.draw(inView);
 }
 
 Result<void> drawCoverage(FrameContext &frame, const DrawnLayer &layer, const LayerInView &inView,
@@ -196,11 +233,10 @@ Result<void> drawCoverage(FrameContext &frame, const DrawnLayer &layer, const La
     return ElementDrawing(frame, layer, Pass::Coverage, onlyStack).draw(inView);
 }
 
-LayerInView lookAt(const FrameContext &frame, const DrawnLayer &layer, bool isSubstrate)
+LayerInView lookAtAppearance(const FrameContext &frame, const DrawnLayer &layer, bool isBackwards)
 {
     // Directions of reach are known for all points only.
-    return isSubstrate ? frame.lookAt(layer, 0, true)
-                       : frame.lookAt(layer, reachMargin(frame, layer), reachOf(layer) != Reach::Surface);
+    return frame.lookAt(layer, {reachMargin(frame, layer), reachOf(layer) != Reach::Surface, isBackwards});
 }
 
 double reachMargin(const FrameContext &frame, const DrawnLayer &layer)

@@ -9,16 +9,24 @@ namespace ductus {
 /// \a peel: how many surfaces lie before what is to be drawn; their elements are in the peeled textures.
 Result<void> drawSubstrate(FrameContext &frame, const DrawnLayer &layer, int peel, bool peeling);
 
-/// As colour of what lies inside or near, into the layer's target.
+/// How strokes that colour are drawn.
+struct StrokeInk
+{
+    bool onlyFirst =
+        false;        // of a layer's strokes the one that is drawn first at a place is the only one there
+    double share = 1; // of their opacity
+};
+
+/// As colour of what lies inside or near, onto what is bound.
 Result<void> drawAppearance(FrameContext &frame, const DrawnLayer &layer, const LayerInView &inView,
-                            StackId onlyStack);
+                            StackId onlyStack, const StrokeInk &ink);
 
 /// As places where a mask's strokes are, into the coverage target.
 Result<void> drawCoverage(FrameContext &frame, const DrawnLayer &layer, const LayerInView &inView,
                           StackId onlyStack);
 
-/// What is in view of a layer that is a shape, or of one that colours.
-LayerInView lookAt(const FrameContext &frame, const DrawnLayer &layer, bool isSubstrate);
+/// What is in view of a layer that colours; \a isBackwards: from the last element to the first.
+LayerInView lookAtAppearance(const FrameContext &frame, const DrawnLayer &layer, bool isBackwards = false);
 
 /// By how much the elements of a layer reach beyond themselves.
 double reachMargin(const FrameContext &frame, const DrawnLayer &layer);

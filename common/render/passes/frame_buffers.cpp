@@ -57,8 +57,9 @@ Result<FrameBuffers> FrameBuffers::create(int width, int height, int samples)
     for (const Result<void> &done :
          {make(made.substrateTarget, {&made.colour, &made.surface, &made.element}, &made.depth),
           make(made.colourTarget, {&made.colour}, nullptr),
-          make(made.layerTarget, {&made.layer}, &made.order), make(made.maskTarget, {&made.mask}, nullptr),
-          make(made.coverageTarget, {&made.coverage}, nullptr),
+          make(made.layerTarget, {&made.layer}, &made.order),
+          make(made.straightTarget, {&made.colour}, &made.order),
+          make(made.maskTarget, {&made.mask}, nullptr), make(made.coverageTarget, {&made.coverage}, nullptr),
           make(made.windingTarget, {&made.winding}, nullptr)})
         if (!done)
             return done.error();

@@ -36,6 +36,7 @@ public:
     GlFramebuffer substrateTarget; // colour, surface, element; depth
     GlFramebuffer colourTarget;    // colour
     GlFramebuffer layerTarget;     // layer; order
+    GlFramebuffer straightTarget;  // colour; order
     GlFramebuffer maskTarget;      // mask
     GlFramebuffer coverageTarget;  // coverage
     GlFramebuffer windingTarget;   // winding

@@ -22,9 +22,9 @@ void FrameContext::drawWholeFrame()
     ++statistics.draws;
 }
 
-LayerInView FrameContext::lookAt(const DrawnLayer &layer, double margin, bool mayBeCoarse) const
+LayerInView FrameContext::lookAt(const DrawnLayer &layer, const ElementsWanted &wanted) const
 {
-    LayerInView inView = layerInView(layer, screen, margin, detail, mayBeCoarse);
+    LayerInView inView = layerInView(layer, screen, detail, wanted);
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, commands.name());
     if (!inView.commands.empty())
         glBufferData(GL_DRAW_INDIRECT_BUFFER, GLsizeiptr(inView.commands.size() * sizeof(DrawCommand)),

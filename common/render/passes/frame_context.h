@@ -4,6 +4,7 @@
 #include "render/passes/drawing_runs.h"
 #include "render/passes/frame_buffers.h"
 #include "render/passes/programs.h"
+#include "render/passes/ribbon_plan.h"
 
 namespace ductus {
 
@@ -12,7 +13,8 @@ struct FrameStatistics
 {
     int draws = 0;
     std::uint64_t segments = 0; // boxes sent through the pipeline
-    int peels = 0;              // translucent surfaces behind each other, at most
+    std::uint64_t ribbonVertices = 0;
+    int peels = 0; // translucent surfaces behind each other, at most
 };
 
 struct FrameContext
@@ -25,6 +27,7 @@ struct FrameContext
     FrameCamera camera;
     ScreenFinder screen;
     Detail detail;
+    RibbonPlan ribbons;          // what of the substrates is drawn as such
     std::uint32_t orderBase = 0; // of the next layer, order.glsl
     FrameStatistics statistics;
 
@@ -33,7 +36,7 @@ struct FrameContext
     void setScissor(const PixelRect &rect) const;
     void drawWholeFrame();
     /// The visible elements of a layer, its commands sent.
-    LayerInView lookAt(const DrawnLayer &layer, double margin, bool mayBeCoarse) const;
+    LayerInView lookAt(const DrawnLayer &layer, const ElementsWanted &wanted) const;
 };
 
 /// Whether anything was drawn between two calls; waits for the card.

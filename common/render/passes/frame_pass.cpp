@@ -1,13 +1,11 @@
 #include "render/passes/frame_pass.h"
 
+#include "render/passes/appearance_pass.h"
 #include "render/passes/element_pass.h"
 
 namespace ductus {
 
 namespace {
-
-/// Layers of one frame are told apart by order; beyond this the private depth is cleared. order.glsl
-constexpr std::uint32_t mostOrders = 1u << 22;
 
 Result<void> drawSubstrates(FrameContext &frame, int peel, bool peeling)
 {
@@ -31,97 +29,6 @@ Result<void> drawSubstrates(FrameContext &frame, int peel, bool peeling)
     }
     for (const DrawnStack &stack : frame.painting.stacks())
         if (Result<void> done = drawSubstrate(frame, stack.substrate, peel, peeling); !done)
-            return done;
-    return {};
-}
-
-bool isFixed(BlendMode mode)
-{
-    return mode == BlendMode::Normal || mode == BlendMode::Multiply || mode == BlendMode::Screen;
-}
-
-void setFixedBlending(BlendMode mode)
-{
-    // Premultiplied colours on an opaque backdrop; alpha stays.
-    const GLenum source = mode == BlendMode::Multiply ? GL_DST_COLOR : GL_ONE;
-    const GLenum backdrop = mode == BlendMode::Screen ? GL_ONE_MINUS_SRC_COLOR : GL_ONE_MINUS_SRC_ALPHA;
-    glEnable(GL_BLEND);
-    glBlendFuncSeparate(source, backdrop, GL_ZERO, GL_ONE);
-}
-
-Result<void> composite(FrameContext &frame, const DrawnLayer &layer, const PixelRect &rect)
-{
-    const BlendMode mode = layer.properties.blendMode;
-    const bool fixed = isFixed(mode), masked = hasMasks(layer);
-    const Result<const Program *> program = frame.programs.composite(mode, !fixed, masked);
-    if (!program)
-        return program.error();
-    frame.bindTarget(frame.buffers.colourTarget);
-    frame.setScissor(rect);
-    glDisable(GL_DEPTH_TEST);
-    if (fixed) {
-        setFixedBlending(mode);
-    } else {
-        glDisable(GL_BLEND);
-        frame.buffers.makeReadable(rect.left, rect.bottom, rect.width(), rect.height());
-        frame.buffers.bind(2, frame.buffers.backdrop());
-    }
-    frame.buffers.bind(1, frame.buffers.layer);
-    if (masked)
-        frame.buffers.bind(3, frame.buffers.mask);
-    (*program)->use();
-    glUniform1f((*program)->at("opacity"), float(layer.properties.opacity));
-    frame.drawWholeFrame();
-    return {};
-}
-
-Result<void> drawLayer(FrameContext &frame, MaskBlocks &blocks, const DrawnLayer &layer,
-                       const PixelRect &within, StackId onlyStack)
-{
-    const LayerInView inView = lookAt(frame, layer, false);
-    const PixelRect rect = inView.rect.cutBy(within);
-    if (rect.isEmpty())
-        return {};
-    frame.bindTarget(frame.buffers.layerTarget);
-    glDepthMask(GL_TRUE);
-    if (frame.orderBase + layer.elements.size() >= mostOrders) {
-        constexpr float first = 1;
-        frame.setScissor(frame.whole());
-        glClearBufferfv(GL_DEPTH, 0, &first);
-        frame.orderBase = 0;
-    }
-    frame.setScissor(rect);
-    constexpr std::array<float, 4> none{};
-    glClearBufferfv(GL_COLOR, 0, none.data());
-    glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_LESS);
-    glEnable(GL_BLEND);
-    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    if (Result<void> done = drawAppearance(frame, layer, inView, onlyStack); !done)
-        return done;
-    frame.orderBase += layer.orderCount;
-    if (hasMasks(layer))
-        if (Result<void> done = drawMasks(frame, blocks, layer, rect, onlyStack); !done)
-            return done;
-    return composite(frame, layer, rect);
-}
-
-Result<void> drawAppearances(FrameContext &frame, MaskBlocks &blocks)
-{
-    frame.orderBase = mostOrders; // the first layer clears
-    frame.buffers.bind(0, frame.buffers.surface);
-    PixelRect all;
-    for (const DrawnStack &stack : frame.painting.stacks()) {
-        PixelRect rect;
-        for (const DrawnElement &element : stack.substrate.elements)
-            rect = rect.with(frame.screen.rect(element.centre, element.radius));
-        all = all.with(rect);
-        for (const DrawnLayer &layer : stack.appearance)
-            if (Result<void> done = drawLayer(frame, blocks, layer, rect, stack.id); !done)
-                return done;
-    }
-    for (const DrawnLayer &layer : frame.painting.sceneLayers())
-        if (Result<void> done = drawLayer(frame, blocks, layer, all, sceneStackId); !done)
             return done;
     return {};
 }

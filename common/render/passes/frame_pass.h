@@ -1,7 +1,7 @@
 // One frame of a painting from its passes: the only place that knows their order. painting.md sections 2, 3.
 //
 //     substrates                     what is seen: colour, stack, element, depth
-//     each stack, then the scene:    each layer bottom to top:
+//     each stack, then the scene:    each layer bottom to top (appearance_pass.h):
 //         strokes                    the layer's own premultiplied colour, in drawing order
 //         masks                      their product
 //         composite                  onto the frame

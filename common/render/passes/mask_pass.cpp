@@ -62,7 +62,7 @@ Result<void> drawStrokesOf(FrameContext &frame, const StrokeMask &mask, const Pi
     const DrawnLayer *layer = frame.painting.maskLayer(mask.layer);
     if (!layer)
         return {};
-    return drawCoverage(frame, *layer, lookAt(frame, *layer, false), onlyStack);
+    return drawCoverage(frame, *layer, lookAtAppearance(frame, *layer), onlyStack);
 }
 
 } // namespace

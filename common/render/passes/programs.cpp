@@ -48,6 +48,14 @@ Result<const Program *> Programs::segments(const SegmentProgramKind &kind)
     return get(vertex, {"view", "peeling", "segment", "substrate_fragment"}, defines);
 }
 
+Result<const Program *> Programs::ribbons(bool peeling)
+{
+    const std::vector<std::string_view> vertex{"view", "elements", "ribbon_vertex"};
+    if (!peeling)
+        return get(vertex, {"view", "ribbon_fragment"}, {});
+    return get(vertex, {"view", "peeling", "ribbon_fragment"}, {"PEELING"});
+}
+
 Result<const Program *> Programs::meshSubstrate(bool peeling)
 {
     if (!peeling)

@@ -44,6 +44,7 @@ public:
     int samples() const { return mSamples; }
 
     Result<const Program *> segments(const SegmentProgramKind &kind);
+    Result<const Program *> ribbons(bool peeling);
     Result<const Program *> meshSubstrate(bool peeling);
     /// Counts how often meshes wind around the surface point.
     Result<const Program *> meshWinding();

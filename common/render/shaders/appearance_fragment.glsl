@@ -2,6 +2,8 @@
 layout(location = 0) out vec4 outColour; // premultiplied, in blend space; 1 for masks
 
 uniform float tolerance;
+uniform float share;    // of the strokes' opacity
+uniform uint orderStep; // 0: all strokes of the layer are one
 
 #ifdef SURFACE_TOLERANCE
 vec3 reachAt(vec3 x)
@@ -42,7 +44,8 @@ void main()
     outColour = vec4(1.0);
 #else
     vec4 colour = colourAt(parameter(x));
+    colour.a *= share;
     outColour = vec4(colour.rgb * colour.a, colour.a);
-    gl_FragDepth = orderDepth(sElement.y);
+    gl_FragDepth = orderDepth(sElement.y * orderStep);
 #endif
 }

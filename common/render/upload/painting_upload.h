@@ -6,6 +6,7 @@
 #include "painting/reference/painting_solid.h"
 #include "render/upload/card_arena.h"
 #include "render/upload/element_table.h"
+#include "render/upload/ribbon_chunks.h"
 #include "render/upload/segment_instance.h"
 
 #include <unordered_map>
@@ -17,10 +18,14 @@ struct DrawnElement
 {
     std::uint32_t row = 0;
     bool isMesh = false;
-    CardRange range;            // of segments, or of triangles
-    CardRange coarse;           // of segments with fewer points; empty if there are none
-    double coarseError = 0;     // by how much they differ, scene units
-    Vec3 centre = Vec3::Zero(); // a ball around the skin, scene units
+    CardRange range;        // of segments, or of triangles
+    CardRange coarse;       // of segments with fewer points; empty if there are none
+    double coarseError = 0; // by how much they differ, scene units
+    double widest = 0;      // half width of strokes, scene units
+    double scale = 1;       // scene units in one of the shape's
+    const ElementShape *shape = nullptr;
+    std::uint64_t shapeVersion = 0; // another one is another shape
+    Vec3 centre = Vec3::Zero();     // a ball around the skin, scene units
     double radius = 0;
     Eigen::Vector3f meanColour = Eigen::Vector3f::Zero(); // of meshes, linear RGB
 };
@@ -34,7 +39,9 @@ struct DrawnLayer
     ToleranceMode toleranceMode = ToleranceMode::Surface;
     std::vector<DrawnElement> elements; // drawing order
     bool uniformColour = true;          // no stroke changes its colour along itself
-    bool isTranslucent = false;
+    bool isTranslucent = false;         // what is behind shines through
+    bool hasClearStrokes = false;       // strokes that are not opaque themselves
+    bool hasMeshes = false;
     std::uint32_t sections = 0;   // bits of StrokeSection
     std::uint32_t orderCount = 0; // orders its elements have: 0..orderCount - 1
 };
@@ -75,6 +82,9 @@ public:
     GLuint meshArray();
     GLuint triangleArray();
     void bindElements() const { mTable.bind(); }
+    /// The substrates' strokes as ribbons, made when first asked for after an update.
+    Result<void> prepareRibbons();
+    RibbonChunks &ribbons() { return mRibbons; }
 
     UploadedBytes uploaded() const;
     std::uint32_t orderOf(const DrawnElement &element) const { return mTable.at(element.row).order; }
@@ -92,7 +102,8 @@ private:
         StrokeSummary summary;
         Eigen::Vector3f meanColour = Eigen::Vector3f::Zero();
         std::uint64_t version = 0; // grows with every change of shape or place
-        std::uint64_t seen = 0;    // the update that last met it
+        std::uint64_t shapeVersion = 0;
+        std::uint64_t seen = 0; // the update that last met it
     };
 
     Result<DrawnLayer> drawn(const Layer &layer, const LayerProperties &properties, StackId stack,
@@ -110,6 +121,8 @@ private:
     CardArena mSegments{sizeof(SegmentInstance)};
     CardArena mCoarse{sizeof(SegmentInstance)};
     CardArena mTriangles{3 * 24};
+    RibbonChunks mRibbons;
+    std::uint64_t mRibbonsUpdate = 0; // the update they were made after
     GlBuffer mBoxIndices;
     GlBuffer mReach; // as many as mSegments
     std::uint32_t mReachCapacity = 0;

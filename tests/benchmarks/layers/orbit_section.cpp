@@ -22,11 +22,13 @@ struct Way
     RenderOptions options;
 };
 
-// The last two as apps/layerpainter/ui/view has them.
+// As apps/layerpainter/ui/view has them.
 constexpr Way ways[] = {{"exact", 1, {}},
                         {"still", 1, {1, false, 0.5, 0.25}},
-                        {"turning, 1/3", 3, {1, false, 1.0, 1.0}},
-                        {"turning, 1/6", 6, {1, false, 1.0, 1.0}}};
+                        {"turning, 1/2", 2, {1, false, 1.0, 1.0, 4.0, 200'000}},
+                        {"turning, 1/3", 3, {1, false, 1.0, 1.0, 4.0, 200'000}},
+                        {"turning, 1/6", 6, {1, false, 1.0, 1.0, 4.0, 200'000}},
+                        {"exact ones, 1/6", 6, {1, false, 1.0, 1.0}}};
 
 } // namespace
 
@@ -34,8 +36,8 @@ nlohmann::json measureOrbit(int strokes)
 {
     const StrokeScene scene = strokeScene(strokes, 0, 7);
     nlohmann::json report = nlohmann::json::array();
-    std::printf("%d strokes on a canvas of %d x %d\n%14s %10s %10s %10s\n", strokes, width, height, "frame",
-                "CPU ms", "wall ms", "segments");
+    std::printf("%d strokes on a canvas of %d x %d\n%16s %10s %10s %10s %10s\n", strokes, width, height,
+                "frame", "CPU ms", "wall ms", "segments", "ribbons");
     for (const Way &way : ways) {
         Result<PaintingRenderer> renderer = PaintingRenderer::create(way.options);
         if (!renderer || !renderer->update(scene.painting, {})) {
@@ -60,8 +62,9 @@ nlohmann::json measureOrbit(int strokes)
                 wall,
                 std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count());
         }
-        std::printf("%14s %10.0f %10.0f %10llu\n", way.name, processor, wall,
-                    static_cast<unsigned long long>(renderer->statistics().segments));
+        std::printf("%16s %10.0f %10.0f %10llu %10llu\n", way.name, processor, wall,
+                    static_cast<unsigned long long>(renderer->statistics().segments),
+                    static_cast<unsigned long long>(renderer->statistics().ribbonVertices));
         report.push_back({{"frame", way.name},
                           {"strokes", strokes},
                           {"processorMilliseconds", processor},
