@@ -1,5 +1,6 @@
 // SketchSurfacer: from a 3D sketch to a piecewise-smooth surface. Without a command the window, with one the
 // batch commands, which need no display.
+#include "sketchsurfacer/cli/info_command.h"
 #include "sketchsurfacer/cli/surface_command.h"
 #include "sketchsurfacer/ui/run_window.h"
 
@@ -19,6 +20,7 @@ constexpr const char *usage =
     "\n"
     "Commands:\n"
     "  surface IN -o OUT   surface a sketch (sketchsurfacer surface --help lists the options)\n"
+    "  info FILE           what a project or mesh holds, and whether it can be printed\n"
     "\n"
     "Exit codes: 0 done, 1 failed with the reason on stderr, 2 wrong usage, 3 cancelled.\n";
 
@@ -35,6 +37,8 @@ int runBatch(int &argc, char **argv, const QString &command)
     QCoreApplication::setApplicationVersion(QStringLiteral(DUCTUS_VERSION));
     if (command == QLatin1String("surface"))
         return int(ductus::runSurfaceCommand(QCoreApplication::arguments().mid(2)));
+    if (command == QLatin1String("info"))
+        return int(ductus::runInfoCommand(QCoreApplication::arguments().mid(2)));
     if (command == QLatin1String("--version") || command == QLatin1String("-v"))
         QTextStream(stdout) << "SketchSurfacer " << DUCTUS_VERSION << "\n";
     else
@@ -44,9 +48,10 @@ int runBatch(int &argc, char **argv, const QString &command)
 
 bool isBatch(const QString &word)
 {
-    static const QStringList words{QStringLiteral("surface"), QStringLiteral("help"),
-                                   QStringLiteral("--help"),  QStringLiteral("-h"),
-                                   QStringLiteral("-v"),      QStringLiteral("--version")};
+    static const QStringList words{QStringLiteral("surface"), QStringLiteral("info"),
+                                   QStringLiteral("help"),    QStringLiteral("--help"),
+                                   QStringLiteral("-h"),      QStringLiteral("-v"),
+                                   QStringLiteral("--version")};
     return words.contains(word);
 }
 

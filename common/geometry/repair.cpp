@@ -1,12 +1,10 @@
 // Repair in four steps: merge equal vertices, drop what is no triangle (handing its middle vertex to the
 // neighbour), cut the rest to a manifold, and look for self-intersections.
 #include "base/result.h"
+#include "geometry/inspection/self_intersection.h"
 #include "geometry/manifold_cut.h"
 #include "geometry/mesh_topology.h"
 #include "geometry/remesh.h"
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/box_intersection_d.h>
 
 #include <algorithm>
 #include <map>
@@ -17,9 +15,6 @@
 namespace ductus {
 
 namespace {
-
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Point = Kernel::Point_3;
 
 constexpr const char *attempted = "Repairing the mesh";
 
@@ -171,64 +166,6 @@ int dropFlat(TriangleMesh &mesh)
     return dropped;
 }
 
-/// Do two different triangles of an indexed mesh meet elsewhere than in the corners and edges they share?
-bool trianglesIntersect(const std::vector<Point> &points, const Triangle &s, const Triangle &t)
-{
-    std::array<int, 3> shared{};
-    int sharedCount = 0;
-    int freeOfS = -1, freeOfT = -1; // a corner of one that the other has not
-    for (int k = 0; k < 3; ++k) {
-        if (std::find(t.begin(), t.end(), s[k]) != t.end())
-            shared[sharedCount++] = s[k];
-        else
-            freeOfS = k;
-        if (std::find(s.begin(), s.end(), t[k]) == s.end())
-            freeOfT = k;
-    }
-    const auto triangle = [&](const Triangle &c) {
-        return Kernel::Triangle_3(points[c[0]], points[c[1]], points[c[2]]);
-    };
-    const auto sideAcross = [&](const Triangle &c, int corner) {
-        const int k = int(std::find(c.begin(), c.end(), corner) - c.begin());
-        return Kernel::Segment_3(points[c[(k + 1) % 3]], points[c[(k + 2) % 3]]);
-    };
-    switch (sharedCount) {
-    case 0:
-        return CGAL::do_intersect(triangle(s), triangle(t));
-    case 1:
-        return CGAL::do_intersect(sideAcross(s, shared[0]), triangle(t)) ||
-               CGAL::do_intersect(sideAcross(t, shared[0]), triangle(s));
-    case 2: {
-        const Point &a = points[shared[0]], &b = points[shared[1]];
-        const Point &c = points[s[freeOfS]], &d = points[t[freeOfT]];
-        return CGAL::orientation(a, b, c, d) == CGAL::COPLANAR &&
-               CGAL::coplanar_orientation(a, b, c, d) == CGAL::POSITIVE; // folded onto each other
-    }
-    default:
-        return true;
-    }
-}
-
-bool selfIntersects(const TriangleMesh &mesh)
-{
-    using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, int>;
-    std::vector<Point> points;
-    points.reserve(mesh.vertices.size());
-    for (const Vec3 &v : mesh.vertices)
-        points.emplace_back(v.x(), v.y(), v.z());
-    std::vector<Box> boxes;
-    boxes.reserve(mesh.triangles.size());
-    for (int t = 0; t < mesh.triangleCount(); ++t) {
-        const Triangle &c = mesh.triangles[t];
-        boxes.emplace_back(points[c[0]].bbox() + points[c[1]].bbox() + points[c[2]].bbox(), t);
-    }
-    bool found = false;
-    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box &a, const Box &b) {
-        found = found || trianglesIntersect(points, mesh.triangles[a.info()], mesh.triangles[b.info()]);
-    });
-    return found;
-}
-
 } // namespace
 
 Result<TriangleMesh> repaired(const TriangleMesh &mesh, RepairReport *report)
@@ -248,7 +185,7 @@ Result<TriangleMesh> repaired(const TriangleMesh &mesh, RepairReport *report)
         return Error{ErrorCode::NoSolution, attempted,
                      "more than half of the surface consists of repeated or degenerate triangles",
                      "Clean the mesh in the program that made it", ""};
-    told.selfIntersecting = selfIntersects(work); // before touching sheets get vertices of their own
+    told.selfIntersecting = !selfIntersections(work, 1).empty(); // before touching sheets get vertices of their own
     ManifoldCut cut = cutToManifold(work);
     told.splitVertices = cut.splitVertices;
     told.reorientedTriangles = cut.reorientedTriangles;

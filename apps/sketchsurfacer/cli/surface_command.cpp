@@ -6,6 +6,7 @@
 #include "formats/png_file.h"
 #include "geometry/remesh.h"
 #include "sketchsurfacer/cli/ambiguity_output.h"
+#include "sketchsurfacer/cli/print_report.h"
 #include "sketchsurfacer/cli/project_output.h"
 #include "sketchsurfacer/cli/result_picture.h"
 #include "sketchsurfacer/cli/scribble_file.h"
@@ -156,8 +157,13 @@ Result<void> writeOutputs(const SurfaceArguments &a, const SurfacingState &state
     const SurfaceResult &result = *state.surface;
     OutputFiles files;
     if (!a.report.empty()) {
-        const std::string text =
-            surfaceReport(nameOf(a), int(scribbles.size()), strokes, state.options, result).dump(2) + "\n";
+        const Result<PrintCheck> check = checkForPrint(result.mesh, control.part(0.0, 0.2));
+        if (!check)
+            return check.error();
+        nlohmann::ordered_json report =
+            surfaceReport(nameOf(a), int(scribbles.size()), strokes, state.options, result);
+        report["print"] = printReport(*check, strokes.metresPerUnit);
+        const std::string text = report.dump(2) + "\n";
         if (Result<void> added = files.add(a.report, std::as_bytes(std::span(text)), writingReport); !added)
             return added;
     }

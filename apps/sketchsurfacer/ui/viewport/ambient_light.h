@@ -4,7 +4,7 @@
 #pragma once
 
 #include "base/job_control.h"
-#include "sketchsurfacer/ui/viewport/ray_tree.h"
+#include "geometry/inspection/ray_tree.h"
 
 namespace ductus {
 

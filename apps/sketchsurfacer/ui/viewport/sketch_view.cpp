@@ -1,6 +1,5 @@
 #include "sketchsurfacer/ui/viewport/sketch_view.h"
 
-#include <QMouseEvent>
 #include <algorithm>
 #include <cmath>
 
@@ -8,11 +7,11 @@ namespace ductus {
 
 namespace {
 
-constexpr double clickReach = 4.0; // pixels a hand trembles
 constexpr int restMilliseconds =
     180;                            // after the last change the picture is drawn once more, with smooth edges
 constexpr double quickFrame = 14.0; // milliseconds; where smooth edges cost so little they are always drawn
-constexpr double dividerReach = 8.0;   // pixels around the divider that grab it
+constexpr int flightMilliseconds = 350;
+constexpr double markNearness = 0.1;   // of the diagonal: how much is seen around a place that is pointed out
 constexpr std::size_t manyDots = 8000; // that would run together
 
 double distanceToSegment(const QPointF &p, const QPointF &a, const QPointF &b, double *share)
@@ -55,6 +54,10 @@ SketchView::SketchView(QWidget *parent) : VtkWidget(parent)
     mAtRest.setSingleShot(true);
     mAtRest.setInterval(restMilliseconds);
     connect(&mAtRest, &QTimer::timeout, this, &SketchView::drawSmoothly);
+    mFlight.setStartValue(0.0);
+    mFlight.setEndValue(1.0);
+    mFlight.setDuration(flightMilliseconds);
+    mFlight.setEasingCurve(QEasingCurve::InOutCubic);
     setDark(true);
 }
 
@@ -284,6 +287,41 @@ void SketchView::turnBy(double rounds)
     moved();
 }
 
+void SketchView::showMark(const ViewMark &mark)
+{
+    const ViewMesh &mesh = pickMesh();
+    const double apart = mark.other ? (mark.at - *mark.other).norm() : 0.0;
+    const Vec3 radius = Vec3::Constant(std::max(markNearness * mExtent.diagonal(), 1.2 * apart));
+    Box3 around;
+    around.add(mark.centre() - radius);
+    around.add(mark.centre() + radius);
+    ViewCamera camera = mCamera;
+    if (mesh.tree)
+        camera.lookFrom(freeDirection(mark, *mesh.tree, -mCamera.forward(), mExtent.diagonal() / 500));
+    camera.frame(around);
+    mOverlay->setMark(mark);
+    flyTo(camera);
+}
+
+bool SketchView::clearMark()
+{
+    const bool had = mOverlay->mark().has_value();
+    mOverlay->setMark(std::nullopt);
+    return had;
+}
+
+void SketchView::flyTo(const ViewCamera &camera)
+{
+    mFlight.stop();
+    mFlight.disconnect(this);
+    connect(&mFlight, &QVariantAnimation::valueChanged, this,
+            [this, from = mCamera, camera](const QVariant &share) {
+                mCamera = from.towards(camera, share.toDouble());
+                moved();
+            });
+    mFlight.start();
+}
+
 QImage SketchView::smoothPicture()
 {
     const bool before = std::exchange(mIsSmooth, true);
@@ -307,7 +345,7 @@ std::optional<RayHit> SketchView::surfaceAt(const QPointF &position) const
     return mesh.tree->firstHit(ray.origin, ray.direction);
 }
 
-int SketchView::strokeAt(const QPointF &position, double reach) const
+int SketchView::strokeAt(const QPointF &position, double reach, int except) const
 {
     int best = -1;
     double nearest = reach;
@@ -324,6 +362,8 @@ int SketchView::strokeAt(const QPointF &position, double reach) const
         best = int(line);
     };
     for (std::size_t i = 0; i < mStrokes.size(); ++i) {
+        if (int(i) == except)
+            continue;
         const std::vector<Vec3> &points = mStrokes[i].points;
         std::optional<QPointF> before;
         for (std::size_t k = 0; k < points.size(); ++k) {
@@ -379,102 +419,6 @@ void SketchView::resizeEvent(QResizeEvent *event)
     mCamera.setViewport(QSizeF(size()));
     mOverlay->setGeometry(rect());
     emit cameraMoved();
-}
-
-void SketchView::mousePressEvent(QMouseEvent *event)
-{
-    setFocus(Qt::MouseFocusReason);
-    if (mDrag != Drag::None)
-        return;
-    mPressed = mLast = event->position();
-    mHasMoved = false;
-    const bool wantsView = event->modifiers() & Qt::AltModifier;
-    if (event->button() == Qt::MiddleButton ||
-        (event->button() == Qt::LeftButton && wantsView && (event->modifiers() & Qt::ShiftModifier)))
-        mDrag = Drag::Pan;
-    else if (event->button() == Qt::RightButton || (event->button() == Qt::LeftButton && wantsView))
-        mDrag = Drag::Orbit;
-    else if (event->button() == Qt::LeftButton && mDivider && mMode != ViewMode::Sketch &&
-             std::abs(event->position().x() - *mDivider * width()) < dividerReach)
-        mDrag = Drag::Divider;
-    else if (event->button() == Qt::LeftButton)
-        mDrag =
-            mTool && mTool->press({event->position(), event->modifiers()}, *this) ? Drag::Tool : Drag::Orbit;
-    if (mDrag == Drag::Orbit)
-        if (const std::optional<RayHit> hit = surfaceAt(event->position()))
-            mCamera.setTarget(hit->point); // what one grabs stays under the hand
-    mOverlay->update();
-    event->accept();
-}
-
-void SketchView::mouseMoveEvent(QMouseEvent *event)
-{
-    const QPointF by = event->position() - mLast;
-    const QPointF all = event->position() - mPressed;
-    const ViewPointer pointer{event->position(), event->modifiers()};
-    mHasMoved = mHasMoved || std::hypot(all.x(), all.y()) > clickReach;
-    switch (mDrag) {
-    case Drag::None:
-        if (mDivider && mMode != ViewMode::Sketch)
-            setCursor(std::abs(event->position().x() - *mDivider * width()) < dividerReach
-                          ? QCursor(Qt::SplitHCursor)
-                      : mTool ? mTool->cursor()
-                              : QCursor(Qt::ArrowCursor));
-        if (mTool)
-            mTool->hover(pointer, *this);
-        mOverlay->update();
-        break;
-    case Drag::Tool:
-        mTool->drag(pointer, *this);
-        mOverlay->update();
-        break;
-    case Drag::Orbit:
-        if (!mHasMoved)
-            return; // a click must not turn the view by a pixel
-        mCamera.orbit(by);
-        moved();
-        break;
-    case Drag::Pan:
-        mCamera.pan(by);
-        moved();
-        break;
-    case Drag::Divider:
-        mDivider = std::clamp(event->position().x() / std::max(1, width()), 0.02, 0.98);
-        emit comparisonMoved(*mDivider);
-        moved();
-        break;
-    }
-    mLast = event->position();
-}
-
-void SketchView::mouseReleaseEvent(QMouseEvent *event)
-{
-    const ViewPointer pointer{event->position(), event->modifiers()};
-    const Drag drag = std::exchange(mDrag, Drag::None);
-    if (drag == Drag::Tool && event->button() == Qt::LeftButton)
-        mTool->release(pointer, *this);
-    else if (drag == Drag::Orbit && event->button() == Qt::LeftButton && !mHasMoved && mTool)
-        mTool->click(pointer, *this);
-    mOverlay->update();
-    event->accept();
-}
-
-void SketchView::wheelEvent(QWheelEvent *event)
-{
-    const double steps = event->angleDelta().y() / 120.0;
-    if (steps != 0.0) {
-        mCamera.zoom(std::pow(0.86, steps), event->position());
-        moved();
-    }
-    event->accept();
-}
-
-void SketchView::leaveEvent(QEvent *event)
-{
-    if (mTool && mDrag == Drag::None)
-        mTool->cancel(*this);
-    mOverlay->update();
-    VtkWidget::leaveEvent(event);
 }
 
 } // namespace ductus

@@ -2,7 +2,7 @@
 // picking for the tools. Scene units throughout; positions in logical pixels.
 #pragma once
 
-#include "sketchsurfacer/ui/viewport/ray_tree.h"
+#include "geometry/inspection/ray_tree.h"
 #include "sketchsurfacer/ui/viewport/sketch_scene.h"
 #include "sketchsurfacer/ui/viewport/view_overlay.h"
 #include "sketchsurfacer/ui/viewport/view_tool.h"
@@ -10,6 +10,7 @@
 #include "strokes/stroke.h"
 
 #include <QTimer>
+#include <QVariantAnimation>
 #include <memory>
 #include <optional>
 
@@ -73,6 +74,10 @@ public:
     void setPerspective(bool on);
     /// All of it is seen.
     void frameAll();
+    /// Turns to \a mark, from a side nothing hides it from if there is one, comes near and points it out.
+    void showMark(const ViewMark &mark);
+    /// True if something was pointed out.
+    bool clearMark();
     /// The next extent is framed anew: another sketch.
     void forgetFraming() { mFramed = false; }
     void orbitBy(const QPointF &pixels);
@@ -86,9 +91,9 @@ public:
 
     // Picking.
     std::optional<RayHit> surfaceAt(const QPointF &position) const;
-    /// Index into the lines of setStrokes of the nearest one within \a reach pixels that nothing hides, or
-    /// -1.
-    int strokeAt(const QPointF &position, double reach = 9.0) const;
+    /// Index into the lines of setStrokes of the nearest one but \a except within \a reach pixels that
+    /// nothing hides, or -1.
+    int strokeAt(const QPointF &position, double reach = 9.0, int except = -1) const;
     const std::vector<ViewLine> &strokes() const { return mStrokes; }
     const ViewMesh &pickMesh() const;
 
@@ -123,6 +128,7 @@ private:
     void rebuildTubes();
     void buildTubes();
     void drawSmoothly();
+    void flyTo(const ViewCamera &camera);
 
     SketchScene mScene;
     ViewCamera mCamera;
@@ -143,6 +149,7 @@ private:
     bool mHasMoved = false;
     bool mFramed = false;
     QTimer mAtRest;
+    QVariantAnimation mFlight;
     bool mIsSmooth = false;
     bool mTubesAreOld = false; // built once before the next frame, however much has changed
 };

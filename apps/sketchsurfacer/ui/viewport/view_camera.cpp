@@ -103,6 +103,27 @@ void ViewCamera::setPreset(ViewPreset preset)
     }
 }
 
+void ViewCamera::lookFrom(const Vec3 &direction)
+{
+    const Vec3 d = direction.normalized();
+    const bool isZ = mUpAxis == UpAxis::Z;
+    mElevation = std::clamp(std::asin(std::clamp(isZ ? d.z() : d.y(), -1.0, 1.0)), -steepest, steepest);
+    mAzimuth = isZ ? std::atan2(d.x(), -d.y()) : std::atan2(d.x(), d.z());
+    mPivot.reset();
+}
+
+ViewCamera ViewCamera::towards(const ViewCamera &other, double share) const
+{
+    ViewCamera between = other;
+    const double round = std::remainder(other.mAzimuth - mAzimuth, 2.0 * std::numbers::pi);
+    between.mAzimuth = mAzimuth + share * round;
+    between.mElevation = (1.0 - share) * mElevation + share * other.mElevation;
+    between.mTarget = (1.0 - share) * mTarget + share * other.mTarget;
+    between.mDistance = std::pow(mDistance, 1.0 - share) * std::pow(other.mDistance, share);
+    between.mPivot.reset();
+    return share < 1.0 ? between : other;
+}
+
 void ViewCamera::orbit(const QPointF &pixels)
 {
     const Vec3 pivot = mPivot.value_or(mTarget);

@@ -33,6 +33,10 @@ public:
     /// Looks at \a box so that all of it is seen, from where the camera is.
     void frame(const Box3 &box);
     void setPreset(ViewPreset preset);
+    /// Looks at the target from where \a direction points to, seen from it.
+    void lookFrom(const Vec3 &direction);
+    /// Between this (0) and \a other (1), the short way round.
+    ViewCamera towards(const ViewCamera &other, double share) const;
 
     /// Drags by \a pixels: orbit keeps the horizon level; pan moves what lies at the target along.
     void orbit(const QPointF &pixels);

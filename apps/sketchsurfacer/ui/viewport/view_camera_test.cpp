@@ -1,7 +1,8 @@
 #include "sketchsurfacer/ui/viewport/view_camera.h"
 
+#include "geometry/inspection/ray_tree.h"
 #include "sketchsurfacer/ui/viewport/length_text.h"
-#include "sketchsurfacer/ui/viewport/ray_tree.h"
+#include "sketchsurfacer/ui/viewport/view_mark.h"
 
 #include <QtTest>
 #include <cmath>
@@ -18,6 +19,9 @@ private slots:
     void zoomsToThePointer();
     void turnsAroundWhatWasGrabbed();
     void firstHitIsTheNearest();
+    void looksFromWhereItIsTold();
+    void fliesTheShortWayRound();
+    void findsASideNothingHides();
     void lengthsReadWell();
 };
 
@@ -114,6 +118,43 @@ void ViewCameraTest::firstHitIsTheNearest()
     QVERIFY(tree.isBlocked({0, 0, 3.5}, Vec3::UnitZ(), 0.0, 0.6));
     QVERIFY(!tree.isBlocked({0, 0, 3.5}, Vec3::UnitZ(), 0.0, 0.4));
     QVERIFY(!RayTree().firstHit({0, 0, 0}, Vec3::UnitZ()));
+}
+
+void ViewCameraTest::looksFromWhereItIsTold()
+{
+    for (const UpAxis up : {UpAxis::Y, UpAxis::Z})
+        for (const Vec3 &from : {Vec3(1, 0.3, 0.2), Vec3(-0.4, 0.1, -1), Vec3(0.2, -0.5, 0.7)}) {
+            ViewCamera camera;
+            camera.setUpAxis(up);
+            camera.lookFrom(from);
+            QVERIFY((camera.forward() + from.normalized()).norm() < 1e-9);
+        }
+}
+
+void ViewCameraTest::fliesTheShortWayRound()
+{
+    ViewCamera from, to;
+    from.lookFrom(Vec3(-0.1, 0, -1)); // either side of where the angle jumps
+    to.lookFrom(Vec3(0.1, 0, -1));
+    QVERIFY((from.towards(to, 0.0).forward() - from.forward()).norm() < 1e-9);
+    QVERIFY((from.towards(to, 0.5).forward() - Vec3::UnitZ()).norm() < 1e-9);
+    QVERIFY(from.towards(to, 1.0) == to);
+}
+
+void ViewCameraTest::findsASideNothingHides()
+{
+    // A place in the plane z = 0, with a wide wall before it at z = 1.
+    TriangleMesh wall;
+    wall.vertices = {{-9, -9, 1}, {9, -9, 1}, {0, 18, 1}};
+    wall.triangles = {{0, 1, 2}};
+    const RayTree tree(wall);
+    const Vec3 ahead = Vec3::UnitZ();
+    const Vec3 found = freeDirection({Vec3::Zero(), std::nullopt, {}}, tree, ahead, 0.01);
+    QVERIFY(found != ahead && std::abs(found.norm() - 1.0) < 1e-9);
+    QVERIFY(!tree.isBlocked(Vec3::Zero(), found, 0.0, 1e300));
+    QVERIFY(freeDirection({Vec3::Zero(), std::nullopt, {}}, tree, -ahead, 0.01) == -ahead);
+    // Between a place behind the wall and one before it the middle is seen.
+    QVERIFY(freeDirection({Vec3::Zero(), Vec3(0, 0, 4), {}}, tree, ahead, 0.01) == ahead);
 }
 
 void ViewCameraTest::lengthsReadWell()

@@ -51,6 +51,12 @@ void ViewOverlay::setEmptyText(const QString &text)
     update();
 }
 
+void ViewOverlay::setMark(const std::optional<ViewMark> &mark)
+{
+    mMark = mark;
+    update();
+}
+
 void ViewOverlay::paintEvent(QPaintEvent *)
 {
     QPainter painter(this);
@@ -58,6 +64,8 @@ void ViewOverlay::paintEvent(QPaintEvent *)
     paintDivider(painter);
     if (const ViewTool *tool = mView.tool())
         tool->paint(painter, mView);
+    if (mMark)
+        paintMark(painter, mView.camera(), *mMark);
     paintAxes(painter);
     paintScaleBar(painter);
     paintLegend(painter);

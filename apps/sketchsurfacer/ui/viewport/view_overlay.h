@@ -4,9 +4,11 @@
 #pragma once
 
 #include "imaging/image.h"
+#include "sketchsurfacer/ui/viewport/view_mark.h"
 
 #include <QString>
 #include <QWidget>
+#include <optional>
 #include <vector>
 
 namespace ductus {
@@ -32,6 +34,8 @@ public:
     void setLegend(const ColourLegend &legend);
     void setAmbiguityLegend(const ColourLegend &legend);
     void setEmptyText(const QString &text);
+    void setMark(const std::optional<ViewMark> &mark);
+    const std::optional<ViewMark> &mark() const { return mMark; }
 
 protected:
     void paintEvent(QPaintEvent *event) override;
@@ -45,6 +49,7 @@ private:
     SketchView &mView;
     ColourLegend mLegend, mAmbiguityLegend;
     QString mEmptyText;
+    std::optional<ViewMark> mMark;
 };
 
 } // namespace ductus

@@ -31,6 +31,8 @@ public:
     virtual void click(const ViewPointer &, SketchView &) {}
     /// Moved without a button.
     virtual void hover(const ViewPointer &, SketchView &) {}
+    /// The wheel was turned by so many notches; false: it zooms.
+    virtual bool wheel(double, SketchView &) { return false; }
     /// The pointer left, the tool was put away, or Esc: forget what was begun. True if there was something.
     virtual bool cancel(SketchView &) { return false; }
     /// What the tool shows above the scene: a brush ring, the line being drawn.

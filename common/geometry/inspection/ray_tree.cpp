@@ -1,4 +1,4 @@
-#include "sketchsurfacer/ui/viewport/ray_tree.h"
+#include "geometry/inspection/ray_tree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -125,11 +125,11 @@ int RayTree::traverse(const Vec3 &origin, const Vec3 &direction, double nearest,
     return found;
 }
 
-std::optional<RayHit> RayTree::firstHit(const Vec3 &origin, const Vec3 &direction) const
+std::optional<RayHit> RayTree::firstHit(const Vec3 &origin, const Vec3 &direction, double nearest) const
 {
     RayHit hit;
     hit.distance = INFINITY;
-    hit.triangle = traverse(origin, direction, 0.0, hit.distance, false);
+    hit.triangle = traverse(origin, direction, nearest, hit.distance, false);
     if (hit.triangle < 0)
         return std::nullopt;
     hit.point = origin + hit.distance * direction;

@@ -1,5 +1,5 @@
 // RayTree: where a ray first meets a mesh. A tree of boxes, read-only after it was made, so any number of
-// threads may ask at once: the pointer on the UI thread, the ambient light on workers.
+// threads may ask at once: the pointer on the UI thread, ambient light and wall thickness on workers.
 #pragma once
 
 #include "geometry/triangle_mesh.h"
@@ -24,8 +24,8 @@ public:
     explicit RayTree(const TriangleMesh &mesh);
 
     bool isEmpty() const { return mNodes.empty(); }
-    /// Both sides of triangles are hit.
-    std::optional<RayHit> firstHit(const Vec3 &origin, const Vec3 &direction) const;
+    /// Both sides of triangles are hit, if they are further than \a nearest along the ray.
+    std::optional<RayHit> firstHit(const Vec3 &origin, const Vec3 &direction, double nearest = 0.0) const;
     /// Whether anything lies between \a nearest and \a farthest along the ray.
     bool isBlocked(const Vec3 &origin, const Vec3 &direction, double nearest, double farthest) const;
 
