@@ -150,6 +150,22 @@ void SketchDocument::moveStrokes(const std::vector<StrokeId> &ids, const Vec3 &w
     edit(moved == 1 ? tr("Move stroke") : tr("Move %n strokes", nullptr, moved), std::move(content));
 }
 
+void SketchDocument::bendStroke(StrokeId id, const StrokeBend &bend)
+{
+    StrokeSet next = strokes();
+    const auto stroke =
+        std::find_if(next.strokes.begin(), next.strokes.end(), [&](const Stroke &s) { return s.id == id; });
+    if (stroke == next.strokes.end())
+        return;
+    Stroke bent = bentStroke(*stroke, bend);
+    if (bent.points == stroke->points)
+        return;
+    *stroke = std::move(bent);
+    SketchContent content = mContent;
+    content.strokes = std::make_shared<const StrokeSet>(std::move(next));
+    edit(tr("Bend stroke"), std::move(content));
+}
+
 std::optional<SymmetryPlane> SketchDocument::symmetryPlane() const
 {
     if (mContent.options.symmetry == SymmetryMode::Given)

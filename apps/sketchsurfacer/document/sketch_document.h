@@ -5,6 +5,7 @@
 
 #include "document/document.h"
 #include "sketchsurfacer/document/sketch_content.h"
+#include "strokes/bend.h"
 
 #include <QImage>
 #include <deque>
@@ -52,6 +53,7 @@ public:
                                      StrokeRole role = StrokeRole::Surface);
     /// By \a way, in the unit of the sketch.
     void moveStrokes(const std::vector<StrokeId> &strokes, const Vec3 &way);
+    void bendStroke(StrokeId stroke, const StrokeBend &bend);
     void deleteStrokes(const std::vector<StrokeId> &strokes);
     void setGivenProxy(std::shared_ptr<const TriangleMesh> proxy);
     void setUnit(double metresPerUnit, UpAxis up);

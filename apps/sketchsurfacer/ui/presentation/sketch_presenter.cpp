@@ -251,6 +251,15 @@ StrokeId SketchPresenter::strokeId(int lineIndex) const
                                                              : StrokeId();
 }
 
+int SketchPresenter::lineOf(StrokeId stroke) const
+{
+    const std::vector<Stroke> &strokes = mDocument.strokes().strokes;
+    for (std::size_t i = 0; i < strokes.size(); ++i)
+        if (strokes[i].id == stroke)
+            return int(i);
+    return -1;
+}
+
 std::vector<StrokeId> SketchPresenter::foundBorders() const
 {
     std::vector<StrokeId> found;

@@ -32,6 +32,8 @@ public:
     void setSelection(std::vector<StrokeId> strokes);
     const std::vector<StrokeId> &selection() const { return mSelection; }
     StrokeId strokeId(int lineIndex) const;
+    /// Index of the line of \a stroke, or -1.
+    int lineOf(StrokeId stroke) const;
     /// Strokes the shown surface ends along although nobody marked them as its border.
     std::vector<StrokeId> foundBorders() const;
     /// Shows foundBorders() as plainly as marked ones.

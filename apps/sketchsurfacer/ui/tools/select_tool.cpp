@@ -41,6 +41,8 @@ std::vector<int> linesInLasso(const QPolygonF &lasso, const SketchView &view)
 
 bool SelectTool::press(const ViewPointer &pointer, SketchView &view)
 {
+    if (!(pointer.modifiers & Qt::ShiftModifier) && mHandles.press(pointer, view))
+        return true;
     if (extends(pointer)) {
         mLasso = {pointer.position};
         return true;
@@ -54,6 +56,8 @@ bool SelectTool::press(const ViewPointer &pointer, SketchView &view)
 
 void SelectTool::drag(const ViewPointer &pointer, SketchView &view)
 {
+    if (mHandles.drag(pointer, view))
+        return;
     if (mMove)
         mMove->way = view.camera().onViewPlane(pointer.position, mMove->grabbed) - mMove->grabbed;
     else if (!mLasso.isEmpty())
@@ -62,6 +66,8 @@ void SelectTool::drag(const ViewPointer &pointer, SketchView &view)
 
 void SelectTool::release(const ViewPointer &pointer, SketchView &view)
 {
+    if (mHandles.release())
+        return;
     if (const std::optional<Move> move = std::exchange(mMove, std::nullopt)) {
         const double pixels = move->way.norm() / view.camera().unitsPerPixel(move->grabbed);
         if (pixels < leastLasso)
@@ -91,6 +97,11 @@ void SelectTool::click(const ViewPointer &pointer, SketchView &view)
 
 void SelectTool::hover(const ViewPointer &pointer, SketchView &view)
 {
+    if (mHandles.hover(pointer, view)) {
+        mHovered = -1;
+        view.setCursor(Qt::OpenHandCursor);
+        return;
+    }
     mHovered = strokeUnder(pointer.position, view);
     view.setCursor(mHovered < 0                  ? Qt::ArrowCursor
                    : mActions.isChosen(mHovered) ? Qt::SizeAllCursor
@@ -100,7 +111,7 @@ void SelectTool::hover(const ViewPointer &pointer, SketchView &view)
 bool SelectTool::cancel(SketchView &)
 {
     mHovered = -1;
-    const bool had = mMove || !mLasso.isEmpty();
+    const bool had = mHandles.cancel() || mMove || !mLasso.isEmpty();
     mMove.reset();
     mLasso.clear();
     return had;
@@ -127,6 +138,7 @@ void SelectTool::paint(QPainter &painter, const SketchView &view) const
     }
     if (mHovered >= 0 && mHovered < int(view.strokes().size()))
         paintLine(painter, view, view.strokes()[std::size_t(mHovered)].points, highlight, 2.5);
+    mHandles.paint(painter, view);
 }
 
 } // namespace ductus

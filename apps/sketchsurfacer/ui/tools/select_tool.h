@@ -1,10 +1,10 @@
 // SelectTool: clicks choose strokes and regions, a drag with Shift draws a lasso around strokes, a drag of
-// chosen strokes moves them in the plane that faces the eye; other drags turn the view. Hovering shows what a
-// click would hit.
+// chosen strokes moves them in the plane that faces the eye, a drag of a handle of the one that is chosen
+// bends it; other drags turn the view. Hovering shows what a click would hit.
 #pragma once
 
 #include "geometry/triangle_mesh.h"
-#include "sketchsurfacer/ui/viewport/view_tool.h"
+#include "sketchsurfacer/ui/tools/stroke_handles.h"
 
 #include <QPolygonF>
 #include <functional>
@@ -24,14 +24,18 @@ public:
         std::function<void(const std::vector<int> &lines, bool extend)> lassoed;
         std::function<bool(int line)> isChosen;
         std::function<void(const Vec3 &way)> moved; // of the chosen strokes, scene units
+        StrokeHandles::Actions handles;
     };
-    explicit SelectTool(Actions actions) : mActions(std::move(actions)) {}
+    explicit SelectTool(Actions actions) : mActions(std::move(actions)), mHandles(mActions.handles) {}
+
+    const StrokeHandles &handles() const { return mHandles; }
 
     bool press(const ViewPointer &pointer, SketchView &view) override;
     void drag(const ViewPointer &pointer, SketchView &view) override;
     void release(const ViewPointer &pointer, SketchView &view) override;
     void click(const ViewPointer &pointer, SketchView &view) override;
     void hover(const ViewPointer &pointer, SketchView &view) override;
+    bool wheel(double steps, SketchView &view) override { return mHandles.wheel(steps, view); }
     bool cancel(SketchView &view) override;
     void paint(QPainter &painter, const SketchView &view) const override;
 
@@ -42,6 +46,7 @@ private:
     };
 
     Actions mActions;
+    StrokeHandles mHandles;
     int mHovered = -1;
     QPolygonF mLasso; // empty: none is drawn
     std::optional<Move> mMove;

@@ -63,9 +63,9 @@ std::vector<Vec3> carriedTo(std::vector<Vec3> points, const std::vector<SnapAnch
     return points;
 }
 
-std::optional<Vec3> snapPoint(const QPointF &position, const SketchView &view, double reach)
+std::optional<Vec3> snapPoint(const QPointF &position, const SketchView &view, double reach, int except)
 {
-    const int line = view.strokeAt(position, reach);
+    const int line = view.strokeAt(position, reach, except);
     if (line < 0)
         return std::nullopt;
     const std::optional<Snap> snap = nearestOf(line, position, view);

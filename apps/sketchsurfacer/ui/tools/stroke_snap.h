@@ -23,8 +23,9 @@ struct SnapAnchor
 /// is shared by length, and beyond the outer ones it fades out over \a fade, scene units.
 std::vector<Vec3> carriedTo(std::vector<Vec3> points, const std::vector<SnapAnchor> &anchors, double fade);
 
-/// The point of the visible stroke under \a position nearest to it on the screen, within \a reach pixels.
-std::optional<Vec3> snapPoint(const QPointF &position, const SketchView &view, double reach);
+/// The point of the visible stroke under \a position nearest to it on the screen, within \a reach pixels; not
+/// of line \a except.
+std::optional<Vec3> snapPoint(const QPointF &position, const SketchView &view, double reach, int except = -1);
 
 /// The strokes a line drawn over \a positions (pixels) meets: at its ends within \a endReach pixels, on its
 /// way where it crosses one.

@@ -48,22 +48,25 @@ int nearestTriangle(const TriangleMesh &mesh, const Vec3 &point)
 
 ToolBox::ToolBox(SketchDocument &document, SketchPresenter &presenter, SketchView &view, QObject *parent)
     : QObject(parent), mDocument(document), mPresenter(presenter), mView(view),
-      mSelect({[this](int line, bool extend) { clickStroke(line, extend); },
-               [this](const QPointF &at) {
-                   mPresenter.setSelection({});
-                   emit regionClicked(regionAt(at));
-                   emit surfaceClicked(at);
-               },
-               [this] {
-                   mPresenter.setSelection({});
-                   emit regionClicked(-1);
-               },
-               [this](const std::vector<int> &lines, bool extend) { chooseLines(lines, extend); },
-               [this](int line) {
-                   const std::vector<StrokeId> &chosen = mPresenter.selection();
-                   return std::find(chosen.begin(), chosen.end(), mPresenter.strokeId(line)) != chosen.end();
-               },
-               [this](const Vec3 &way) { mDocument.moveStrokes(mPresenter.selection(), way); }}),
+      mSelect(
+          {[this](int line, bool extend) { clickStroke(line, extend); },
+           [this](const QPointF &at) {
+               mPresenter.setSelection({});
+               emit regionClicked(regionAt(at));
+               emit surfaceClicked(at);
+           },
+           [this] {
+               mPresenter.setSelection({});
+               emit regionClicked(-1);
+           },
+           [this](const std::vector<int> &lines, bool extend) { chooseLines(lines, extend); },
+           [this](int line) {
+               const std::vector<StrokeId> &chosen = mPresenter.selection();
+               return std::find(chosen.begin(), chosen.end(), mPresenter.strokeId(line)) != chosen.end();
+           },
+           [this](const Vec3 &way) { mDocument.moveStrokes(mPresenter.selection(), way); },
+           {[this] { return lineToBend(); },
+            [this](const StrokeBend &bend) { mDocument.bendStroke(mPresenter.selection().front(), bend); }}}),
       mBrush([this](int line, quint64 drag) {
           mDocument.setRole({mPresenter.strokeId(line)}, mBrushRole, drag);
       }),
@@ -79,6 +82,10 @@ ToolBox::ToolBox(SketchDocument &document, SketchPresenter &presenter, SketchVie
       }),
       mMeasure([this](double length) { emit measured(length); })
 {
+    connect(&presenter, &SketchPresenter::selectionChanged, this, [this] {
+        if (mKind == ToolKind::Select)
+            emit toolChanged(); // the hint is another
+    });
     setBrushRole(mBrushRole);
     setTool(ToolKind::Select);
 }
@@ -115,6 +122,10 @@ QString ToolBox::hint() const
 {
     switch (mKind) {
     case ToolKind::Select:
+        if (lineToBend() >= 0)
+            return tr(
+                "Drag a handle to bend the stroke; with Ctrl it slides over the surface, the wheel widens "
+                "the bend. Drag the stroke between handles to move it.");
         return tr("Drag to turn, wheel to zoom. Click a stroke or region to choose it, Shift+drag around "
                   "several; drag chosen "
                   "strokes to move them.");
@@ -183,6 +194,11 @@ void ToolBox::addDrawn(const std::vector<Vec3> &points)
             lines.push_back(std::move(image));
     }
     mDocument.addStrokes(lines);
+}
+
+int ToolBox::lineToBend() const
+{
+    return mPresenter.selection().size() == 1 ? mPresenter.lineOf(mPresenter.selection().front()) : -1;
 }
 
 int ToolBox::regionAt(const QPointF &position) const

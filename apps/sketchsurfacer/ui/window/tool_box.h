@@ -47,6 +47,12 @@ public:
     /// Whether drawn strokes come twice where the sketch is symmetric.
     void setMirrors(bool on) { mMirrors = on; }
 
+    /// Of the stroke that is chosen, if it is one and Select the tool.
+    std::vector<StrokeHandle> strokeHandles() const
+    {
+        return mKind == ToolKind::Select ? mSelect.handles().handles(mView) : std::vector<StrokeHandle>();
+    }
+
     /// Locks \a region, or takes its lock away.
     void toggleLock(int region);
     void setDegree(int region, int degree);
@@ -65,6 +71,8 @@ private:
     void chooseLines(const std::vector<int> &lines, bool extend);
     void addDrawn(const std::vector<Vec3> &points);
     int regionAt(const QPointF &position) const;
+    /// Of the one stroke that is chosen, or -1.
+    int lineToBend() const;
 
     SketchDocument &mDocument;
     SketchPresenter &mPresenter;
