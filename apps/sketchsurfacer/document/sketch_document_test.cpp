@@ -145,6 +145,7 @@ void SketchDocumentTest::decisionsSurviveTheFile()
     SurfaceOptions options = document.content().options;
     options.segmentation.epsilon = 0.013;
     options.proxy.wrap.tightness = 0.3;
+    options.skeletal.radius = 0.021;
     options.symmetry = SymmetryMode::Given;
     options.symmetryPlane = {Vec3::UnitZ(), 0.25};
     document.setOptions("Change", options);
@@ -164,6 +165,7 @@ void SketchDocumentTest::decisionsSurviveTheFile()
     const SketchContent &content = reopened.content();
     QCOMPARE(content.options.segmentation.epsilon, 0.013);
     QCOMPARE(content.options.proxy.wrap.tightness, 0.3);
+    QCOMPARE(content.options.skeletal.radius, 0.021);
     QCOMPARE(content.options.symmetry, SymmetryMode::Given);
     QCOMPARE(content.options.symmetryPlane.offset, 0.25);
     QVERIFY(content.scribbles == document.content().scribbles);

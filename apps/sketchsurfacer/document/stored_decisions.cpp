@@ -13,6 +13,7 @@ using Json = nlohmann::json;
 constexpr char tightnessMember[] = "tightness";
 constexpr char symmetryMember[] = "symmetry";
 constexpr char scribblesMember[] = "scribbles";
+constexpr char tubeRadiusMember[] = "tubeRadius"; // share of the diagonal
 constexpr std::size_t mostScribbles = 10'000;
 constexpr std::size_t mostPoints = 1'000'000;
 
@@ -113,6 +114,7 @@ void writeDecisions(const SketchContent &content, SurfacingSettings &settings)
     putMember(settings.unknown, symmetryMember, options.symmetry == SymmetryMode::Auto ? "auto" : "none");
     putMember(settings.unknown, tightnessMember, options.proxy.wrap.tightness);
     putMember(settings.unknown, scribblesMember, jsonOf(content.scribbles));
+    putMember(settings.unknown, tubeRadiusMember, options.skeletal.radius);
 }
 
 Result<void> readDecisions(const SurfacingSettings &settings, SketchContent &content)
@@ -139,6 +141,11 @@ Result<void> readDecisions(const SurfacingSettings &settings, SketchContent &con
         if (!tightness->is_number() || !std::isfinite(tightness->get<double>()))
             return malformed(tightnessMember);
         options.proxy.wrap.tightness = std::clamp(tightness->get<double>(), -1.0, 1.0);
+    }
+    if (const auto radius = member(settings.unknown, tubeRadiusMember)) {
+        if (!radius->is_number() || !(radius->get<double>() > 0.0 && radius->get<double>() <= 0.5))
+            return malformed(tubeRadiusMember);
+        options.skeletal.radius = radius->get<double>();
     }
     if (const auto scribbles = member(settings.unknown, scribblesMember)) {
         if (!scribbles->is_array() || scribbles->size() > mostScribbles)
