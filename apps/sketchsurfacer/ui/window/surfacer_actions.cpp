@@ -61,6 +61,13 @@ void SurfacerWindow::addActions()
              {QKeySequence("Ctrl+E")},
              file},
             [this] { exportSurface(); });
+    all.add({"file.sendToLayerPainter",
+             tr("Send to &LayerPainter"),
+             tr("Opens the project in LayerPainter, to paint on the surface."),
+             "document-send",
+             {QKeySequence("Ctrl+Shift+L")},
+             file},
+            [this] { sendToLayerPainter(); });
     all.add({"file.picture",
              tr("Save p&icture..."),
              tr("Writes what the canvas shows as a PNG file."),
@@ -340,8 +347,9 @@ void SurfacerWindow::fillMenus()
             list << actions().action(id);
         return list;
     };
-    addToMenu(fileMenu(), named({"file.new", "file.open", "file.start", "file.save", "file.saveAs",
-                                 "file.export", "file.picture", "file.turntable"}));
+    addToMenu(fileMenu(),
+              named({"file.new", "file.open", "file.start", "file.save", "file.saveAs", "file.export",
+                     "file.sendToLayerPainter", "file.picture", "file.turntable"}));
     addToMenu(editMenu(), named({"edit.paste", "edit.delete", "edit.selectAll", "edit.mirror"}));
     addToMenu(viewMenu(), named({"view.frame", "view.zoomIn", "view.zoomOut", "view.perspective",
                                  "view.strokes", "view.compare", "view.ambiguity", "view.turntable"}));

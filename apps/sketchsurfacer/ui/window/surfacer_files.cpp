@@ -1,5 +1,6 @@
 // Opening, saving, importing and exporting in SketchSurfacer's window.
 #include "document/document_files.h"
+#include "document/linked_app.h"
 #include "document/project_picture.h"
 #include "sketchsurfacer/ui/window/sample_pictures.h"
 #include "sketchsurfacer/ui/window/surfacer_window.h"
@@ -296,6 +297,53 @@ void SurfacerWindow::saveTo(const QString &path, std::function<void(bool)> finis
                      if (finish)
                          finish(report.ok());
                  });
+}
+
+void SurfacerWindow::sendToLayerPainter()
+{
+    const QString key = QStringLiteral("send");
+    messages()->withdraw(key);
+    if (const auto result = mSketch.result(); !result || !result->surface) {
+        messages()->show({MessageKind::Info,
+                          tr("LayerPainter paints on the surface, and there is none yet."),
+                          {},
+                          tr("Surface it"),
+                          [this] { surfaceIt(); },
+                          key,
+                          0});
+        return;
+    }
+    const bool hasPlace = !mSketch.filePath().isEmpty() && !mSketch.isReadOnly();
+    const auto send = [this] {
+        if (const Result<void> opened = openInApp(LinkedApp::LayerPainter, mSketch.filePath()); !opened)
+            showError(opened.error());
+        else
+            messages()->show({MessageKind::Success,
+                              tr("LayerPainter opens %1.").arg(mSketch.displayName()),
+                              {},
+                              {},
+                              {},
+                              QStringLiteral("send"),
+                              6});
+    };
+    if (hasPlace && !mSketch.isModified()) {
+        send();
+        return;
+    }
+    messages()->show({MessageKind::Info,
+                      tr("LayerPainter reads the saved project, and this one has changes."),
+                      {},
+                      hasPlace ? tr("Save and send") : tr("Save as and send..."),
+                      [this, hasPlace, send] {
+                          const QString path = hasPlace ? mSketch.filePath() : askForPath();
+                          if (!path.isEmpty())
+                              saveTo(path, [send](bool isSaved) {
+                                  if (isSaved)
+                                      send();
+                              });
+                      },
+                      key,
+                      0});
 }
 
 void SurfacerWindow::exportSurface()

@@ -6,6 +6,7 @@
 #include "sketchsurfacer/ui/viewport/turntable.h"
 #include "sketchsurfacer/ui/window/measures_panel.h"
 #include "sketchsurfacer/ui/window/parameter_panel.h"
+#include "sketchsurfacer/ui/window/print_panel.h"
 #include "sketchsurfacer/ui/window/reading_list.h"
 #include "sketchsurfacer/ui/window/region_list.h"
 #include "sketchsurfacer/ui/window/stroke_panel.h"
@@ -101,6 +102,14 @@ void SurfacerWindow::fillInspector()
     addSection(QStringLiteral("strokes"), tr("Strokes"), new StrokePanel(mSketch, *mPresenter, *mTools));
     mMeasures = new MeasuresPanel(mSketch);
     addSection(QStringLiteral("measures"), tr("Measures"), mMeasures);
+    mPrint = new PrintPanel(mSketch, jobs());
+    addSection(QStringLiteral("print"), tr("Print check"), mPrint);
+    connect(mPrint, &PrintPanel::outdated, mView, &SketchView::clearMark);
+    connect(mPrint, &PrintPanel::showRequested, this, [this](const FoundPlace &place) {
+        if (mView->mode() == ViewMode::Sketch || mView->mode() == ViewMode::Proxy)
+            showMode(ViewMode::Surface);
+        mView->showMark({place.at, place.other, place.text});
+    });
     connect(mRegions, &RegionList::lockToggled, mTools, &ToolBox::toggleLock);
     connect(mRegions, &RegionList::degreeChosen, mTools, &ToolBox::setDegree);
 }
@@ -208,6 +217,7 @@ void SurfacerWindow::onResultShown()
     const auto view = mPresenter->resultView();
     mRegions->setResult(view, mSketch.strokes().metresPerUnit);
     mMeasures->setResult(view);
+    mPrint->setResult(view);
     refreshSwitch();
     if (!view) {
         if (mView->mode() != ViewMode::Sketch)
@@ -294,7 +304,7 @@ void SurfacerWindow::surfaceIt()
 
 void SurfacerWindow::escape()
 {
-    if (mView->cancelTool())
+    if (mView->cancelTool() || mView->clearMark())
         return;
     if (mSurfacing.isRunning()) {
         mFollowsResult = false;

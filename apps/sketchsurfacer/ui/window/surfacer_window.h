@@ -18,6 +18,7 @@ namespace ductus {
 class AmbiguityPresenter;
 class HelpWindow;
 class MeasuresPanel;
+class PrintPanel;
 class RegionList;
 class SegmentedSwitch;
 class Turntable;
@@ -35,6 +36,7 @@ public:
     ToolBox &tools() { return *mTools; }
     SketchPresenter &presenter() { return *mPresenter; }
     AmbiguityPresenter &ambiguity() { return *mAmbiguity; }
+    PrintPanel &printCheck() { return *mPrint; }
     SegmentedSwitch &viewSwitch() { return *mSwitch; }
     UnsavedWork &unsavedWork() { return mUnsaved; }
     const RecentFiles &recentFiles() const { return mRecent; }
@@ -46,6 +48,9 @@ public:
     void save();
     void saveAs();
     void exportSurface();
+    /// Opens the project in LayerPainter, where its surface is what is painted on. What is not saved yet is
+    /// asked to be.
+    void sendToLayerPainter();
     /// Writes without a dialog.
     void exportTo(const QString &path, const ExportChoice &choice);
     /// What the canvas shows, as a PNG file.
@@ -107,6 +112,7 @@ private:
     Turntable *mTurntable = nullptr;
     RegionList *mRegions = nullptr;
     MeasuresPanel *mMeasures = nullptr;
+    PrintPanel *mPrint = nullptr;
     QActionGroup *mToolActions = nullptr;
     HelpWindow *mHelp = nullptr;
     std::vector<SampleSketch> mSamples;
