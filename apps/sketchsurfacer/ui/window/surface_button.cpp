@@ -1,11 +1,10 @@
 #include "sketchsurfacer/ui/window/surface_button.h"
 
 #include "surfacing/sketch/point_cloud.h"
-#include "widgets/theme/icons.h"
+#include "widgets/controls/thin_bar.h"
 
 #include <QLabel>
 #include <QLocale>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QVBoxLayout>
 
@@ -22,10 +21,7 @@ SurfaceButton::SurfaceButton(SketchDocument &document, SurfacingJobs &jobs, JobR
     mButton->setObjectName(QStringLiteral("surfaceButton"));
     mButton->setMinimumHeight(40);
     mButton->setProperty("primary", true);
-    mProgress = new QProgressBar;
-    mProgress->setTextVisible(false);
-    mProgress->setFixedHeight(4);
-    mProgress->setRange(0, 1000);
+    mProgress = new ThinBar;
     mProgress->setAccessibleName(tr("Progress"));
     QSizePolicy keep = mProgress->sizePolicy();
     keep.setRetainSizeWhenHidden(true); // nothing jumps when it starts
@@ -59,7 +55,7 @@ void SurfaceButton::refresh()
         mButton->setToolTip(tr("Stops and keeps the last surface (Esc)."));
         return;
     }
-    mProgress->setValue(0);
+    mProgress->setFraction(0.0);
     mButton->setText(mDocument.shownResult() ? tr("&Update") : tr("&Surface it"));
     mButton->setToolTip(tr("Finds the surface the strokes describe (Ctrl+Enter)."));
     if (mDocument.isEmpty())
@@ -83,7 +79,7 @@ void SurfaceButton::showProgress(const JobState &state)
 {
     if (state.spec.key != QLatin1String("surface") || !mJobs.isRunning())
         return;
-    mProgress->setValue(int(1000 * state.fraction));
+    mProgress->setFraction(state.fraction);
     mState->setText(state.text);
 }
 

@@ -7,10 +7,11 @@
 #include <QWidget>
 
 class QLabel;
-class QProgressBar;
 class QPushButton;
 
 namespace ductus {
+
+class ThinBar;
 
 class SurfaceButton : public QWidget
 {
@@ -32,7 +33,7 @@ private:
     SketchDocument &mDocument;
     SurfacingJobs &mJobs;
     QPushButton *mButton;
-    QProgressBar *mProgress;
+    ThinBar *mProgress;
     QLabel *mState;
 };
 
