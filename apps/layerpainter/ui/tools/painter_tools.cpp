@@ -97,20 +97,23 @@ void PaintTool::add(PaintingView &view, const CanvasPointer &pointer)
         view.setPreview(std::move(preview));
 }
 
-act::Draw PaintTool::action() const
+act::Draw drawAction(const Painting &painting, LayerId id, double seconds, const StrokeShape &stroke)
 {
     act::Draw draw;
-    draw.layer = mBrush.layer;
-    if (const Layer *layer = mBase->findLayer(mBrush.layer)) {
-        // Into the drawing that is shown, and where the layer has been moved to the stroke is where it was
-        // painted.
-        draw.drawing = int(&layer->drawingAt(mSeconds) - layer->drawings.data());
-        const Placement motion = placementAt(layer->motion, mSeconds);
+    draw.layer = id;
+    if (const Layer *layer = painting.findLayer(id)) {
+        draw.drawing = int(&layer->drawingAt(seconds) - layer->drawings.data());
+        const Placement motion = placementAt(layer->motion, seconds);
         if (!(motion == Placement()))
             draw.placement = placementOf(motion.matrix().inverse());
     }
-    draw.strokes = {std::make_shared<const ElementShape>(mStroke)};
+    draw.strokes = {std::make_shared<const ElementShape>(stroke)};
     return draw;
+}
+
+act::Draw PaintTool::action() const
+{
+    return drawAction(*mBase, mBrush.layer, mSeconds, mStroke);
 }
 
 void PaintTool::release(PaintingView &view, const CanvasPointer &)

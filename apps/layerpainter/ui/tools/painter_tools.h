@@ -17,6 +17,10 @@ struct BrushState
     bool onSurface = true;                      // else on a plane through the pivot
 };
 
+/// A stroke in scene units painted at a moment: into the drawing of \a layer that is shown then, standing
+/// where it was painted although the layer may have been moved.
+act::Draw drawAction(const Painting &painting, LayerId layer, double seconds, const StrokeShape &stroke);
+
 class PaintTool : public CanvasTool
 {
 public:

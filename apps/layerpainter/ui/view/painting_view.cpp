@@ -156,6 +156,12 @@ void PaintingView::setHoveredLayer(std::optional<LayerId> layer)
     mOverlay->update();
 }
 
+void PaintingView::setStandIn(std::function<void(unsigned, const QSize &)> draw)
+{
+    mStandIn = std::move(draw);
+    changedView();
+}
+
 void PaintingView::updateMarks()
 {
     mOverlay->update();
@@ -225,6 +231,11 @@ void PaintingView::paintGL()
     QElapsedTimer clock;
     clock.start();
     const int w = qRound(width() * devicePixelRatioF()), h = qRound(height() * devicePixelRatioF());
+    if (mStandIn) {
+        mStandIn(defaultFramebufferObject(), {w, h});
+        ++mFrameCount;
+        return;
+    }
     const Painting &painting = mPreview ? *mPreview : mDocument.painting();
     Result<void> drawn = mRenderer->update(painting, {mSeconds, {}});
     mDrawnDivisor = mPace.divisor();

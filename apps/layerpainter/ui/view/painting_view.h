@@ -53,6 +53,10 @@ public:
     /// The stroke of \a layer whose centreline passes nearest within \a reach pixels.
     std::optional<ElementId> strokeNear(const QPointF &position, LayerId layer, double reach);
 
+    /// Draws instead of the painting onto a framebuffer of that size in pixels, in the view's own context;
+    /// empty: the painting again. For what a headset shows.
+    void setStandIn(std::function<void(unsigned framebuffer, const QSize &size)> draw);
+
     /// A picture of the painting alone.
     QImage picture();
     int frameCount() const { return mFrameCount; }
@@ -100,6 +104,7 @@ private:
     std::vector<ElementId> mSelection;
     std::optional<LayerId> mHovered;
     std::function<double(double)> mPressure;
+    std::function<void(unsigned, const QSize &)> mStandIn;
     Drag mDrag = Drag::None;
     QPointF mLast;
     double mSeconds = 0;

@@ -31,6 +31,8 @@ public:
     PaintingDocument &painting() { return mPainting; }
     PaintingView &view() { return *mView; }
     LayerPanel &layers() { return *mLayers; }
+    BrushPanel &brushPanel() { return *mBrushPanel; }
+    ColourPanel &colourPanel() { return *mColours; }
     BrushState &brush() { return mBrush; }
     MotionBar &motion() { return *mMotion; }
     ColourList &colourList() { return *mColourList; }
