@@ -5,6 +5,7 @@
 #include "layerpainter/cli/inspect_commands.h"
 #include "layerpainter/cli/render_command.h"
 #include "layerpainter/cli/replay_command.h"
+#include "layerpainter/cli/thumbnail_command.h"
 #include "layerpainter/ui/run_window.h"
 
 #include <QCoreApplication>
@@ -26,6 +27,7 @@ constexpr const char *usage =
     "  render IN -o OUT        a still (.png) or a film (.mp4, .webm, .gif, folder), in any look\n"
     "  export IN -o OUT.glb    a mesh whose vertices have the layers' colours\n"
     "  replay LOG -o P.ductus  an action log or a script of actions becomes a painting\n"
+    "  thumbnail P.ductus -o T.png  a small picture\n"
     "  info P.ductus           what a project holds\n"
     "  validate P.ductus       whether a project is sound\n"
     "\n"
@@ -43,6 +45,8 @@ Command commandOf(const QString &word)
         return ductus::runExportCommand;
     if (word == QLatin1String("replay"))
         return ductus::runReplayCommand;
+    if (word == QLatin1String("thumbnail"))
+        return ductus::runThumbnailCommand;
     if (word == QLatin1String("info"))
         return ductus::runInfoCommand;
     if (word == QLatin1String("validate"))

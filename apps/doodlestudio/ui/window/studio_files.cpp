@@ -1,4 +1,5 @@
 // Opening, saving and analysing in DoodleStudio's window.
+#include "document/bundled_sample.h"
 #include "document/document_files.h"
 #include "document/project_picture.h"
 #include "doodlestudio/ui/film/export_dialog.h"
@@ -72,6 +73,10 @@ void StudioWindow::chooseAndOpen()
 
 void StudioWindow::openPath(const QString &path)
 {
+    if (const QString id = bundledSampleId(path, QStringLiteral("clips.json")); !id.isEmpty()) {
+        openSample(id);
+        return;
+    }
     if (!confirmLeaving())
         return;
     if (path.endsWith(QLatin1String(".ductus"), Qt::CaseInsensitive))

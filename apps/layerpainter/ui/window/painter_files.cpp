@@ -1,4 +1,5 @@
 // Opening, saving, importing and exporting in LayerPainter's window.
+#include "document/bundled_sample.h"
 #include "document/document_files.h"
 #include "document/project_picture.h"
 #include "layerpainter/document/import_into.h"
@@ -90,7 +91,10 @@ void PainterWindow::chooseAndOpen()
 void PainterWindow::openPath(const QString &path)
 {
     if (path.endsWith(QLatin1String(".ductus"), Qt::CaseInsensitive)) {
-        openProject(path);
+        if (const QString id = bundledSampleId(path, QStringLiteral("paintings.json")); !id.isEmpty())
+            openSample(id);
+        else
+            openProject(path);
         return;
     }
     if (!confirmLeaving())
