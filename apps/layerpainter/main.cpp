@@ -6,7 +6,7 @@
 #include "layerpainter/cli/render_command.h"
 #include "layerpainter/cli/replay_command.h"
 #include "layerpainter/cli/thumbnail_command.h"
-#include "layerpainter/ui/run_window.h"
+#include "layerpainter/vr/window/run_window.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
@@ -17,10 +17,10 @@ namespace {
 constexpr const char *usage =
     "LayerPainter colours 3D paintings with stacks of layers.\n"
     "\n"
-    "Usage: layerpainter [FILE...]\n"
+    "Usage: layerpainter [--vr] [FILE...]\n"
     "       layerpainter COMMAND [OPTIONS]\n"
     "\n"
-    "Without a command the window opens, with the file in it.\n"
+    "Without a command the window opens, with the file in it; --vr: in a headset as well.\n"
     "\n"
     "Commands (layerpainter COMMAND --help lists the options):\n"
     "  import IN -o P.ductus   a Quill or .tilt painting or a mesh becomes a project\n"
@@ -102,5 +102,5 @@ int main(int argc, char *argv[])
         return wrongUsage(
             QStringLiteral("there is no display for the window. The batch commands need none."));
 #endif
-    return ductus::runPainterWindow(argc, argv, files);
+    return ductus::runHeadsetWindow(argc, argv, files, words.contains(QStringLiteral("--vr")));
 }
