@@ -75,8 +75,8 @@ XrResult XRAPI_CALL waitFrame(XrSession session, const XrFrameWaitInfo *, XrFram
             --s.callsLeft;
         if (r.instanceCallsLeft > 0)
             --r.instanceCallsLeft;
-        for (static std::size_t told = 0; told < r.script.mistakes().size(); ++told)
-            r.recorder.line("mistake " + r.script.mistakes()[told]);
+        for (; r.toldMistakes < r.script.mistakes().size(); ++r.toldMistakes)
+            r.recorder.line("mistake " + r.script.mistakes()[r.toldMistakes]);
         s.isWaited = true;
         state->predictedDisplayTime = r.now;
         state->predictedDisplayPeriod = framePeriod;

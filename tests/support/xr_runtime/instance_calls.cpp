@@ -26,7 +26,8 @@ XrResult XRAPI_CALL enumerateInstanceExtensionProperties(const char *layer, std:
     return call("xrEnumerateInstanceExtensionProperties", [&](Runtime &r) {
         if (layer)
             return XR_ERROR_API_LAYER_NOT_PRESENT;
-        r.script.advance(0);
+        if (!r.hasInstance)
+            r.reload();
         return enumerate(r.script.scene().hasOpenGl ? 1 : 0, capacity, count, properties,
                          [](XrExtensionProperties &to, std::size_t) {
                              write(to.extensionName, sizeof to.extensionName,

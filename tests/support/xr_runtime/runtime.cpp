@@ -41,7 +41,12 @@ Runtime &runtime()
     return one;
 }
 
-Runtime::Runtime() : script(environment("DUCTUS_XR_SCRIPT")), recorder(environment("DUCTUS_XR_RECORD")) {}
+void Runtime::reload()
+{
+    script = Script(environment("DUCTUS_XR_SCRIPT"));
+    recorder = Recorder(environment("DUCTUS_XR_RECORD"));
+    toldMistakes = 0;
+}
 
 XrPath Runtime::pathOf(const std::string &text)
 {

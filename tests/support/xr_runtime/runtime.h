@@ -89,12 +89,15 @@ struct SessionObject
 
 struct Runtime
 {
-    Runtime();
+    Runtime() { reload(); }
+    /// Script and record anew, as the environment names them: for the next instance.
+    void reload();
 
     std::mutex mutex;
     std::condition_variable frameBegun;
     Script script;
     Recorder recorder;
+    std::size_t toldMistakes = 0;
 
     bool hasInstance = false;
     int instanceCallsLeft = -1;
