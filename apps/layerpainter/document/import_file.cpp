@@ -97,13 +97,21 @@ Result<ImportedFile> importMesh(const std::filesystem::path &path, const JobCont
     return imported;
 }
 
-Result<ImportedFile> importSurfaces(const std::filesystem::path &path)
+Result<ImportedFile> importSurfacesOf(const std::filesystem::path &path)
 {
     const Result<Project> project = openProject(path);
     if (!project)
         return placedIn(project.error(), path);
-    ImportedFile imported{{}, "sketch-surface", nameOf(path), {}, {}};
-    for (const ProjectDocument &document : project->documents) {
+    Result<ImportedFile> imported = importSurfaces(*project, nameOf(path));
+    return imported ? imported : placedIn(imported.error(), path);
+}
+
+} // namespace
+
+Result<ImportedFile> importSurfaces(const Project &project, const std::string &name)
+{
+    ImportedFile imported{{}, "sketch-surface", name, {}, {}};
+    for (const ProjectDocument &document : project.documents) {
         if (!document.sketchSurface)
             continue;
         if (!document.sketchSurface->surface) {
@@ -111,20 +119,18 @@ Result<ImportedFile> importSurfaces(const std::filesystem::path &path)
             continue;
         }
         imported.painting.metresPerUnit = document.sketchSurface->strokes.metresPerUnit;
-        const std::string name = document.name.empty() ? imported.name : document.name;
         if (const Result<void> added =
-                addMeshStack(imported.painting, name, document.sketchSurface->surface->mesh);
+                addMeshStack(imported.painting, document.name.empty() ? name : document.name,
+                             document.sketchSurface->surface->mesh);
             !added)
-            return placedIn(added.error(), path);
+            return added.error();
     }
     if (imported.painting.stacks.empty())
         return Error{ErrorCode::TooLittleData, "Importing the surface",
                      "the project holds no finished surface",
-                     "Surface the sketch in SketchSurfacer and save it", path.string()};
+                     "Surface the sketch in SketchSurfacer and save it", ""};
     return imported;
 }
-
-} // namespace
 
 Result<ImportedFile> importFile(const std::filesystem::path &path, const FileImportOptions &options,
                                 const JobControl &control)
@@ -134,7 +140,7 @@ Result<ImportedFile> importFile(const std::filesystem::path &path, const FileImp
         return Error{ErrorCode::FileNotFound, "Importing the painting", "there is no such file",
                      "Check the name", path.string()};
     if (lowerExtension(path) == ".ductus")
-        return importSurfaces(path);
+        return importSurfacesOf(path);
     return isPaintingFile(path) ? importPaintingFile(path, options, control) : importMesh(path, control);
 }
 

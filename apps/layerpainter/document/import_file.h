@@ -4,6 +4,7 @@
 #include "base/job_control.h"
 #include "formats/painting_file.h"
 #include "painting/scene/painting.h"
+#include "project/project.h"
 
 #include <filesystem>
 
@@ -27,6 +28,9 @@ struct FileImportOptions
 /// finished surface a stack). Errors name file, place and remedy; nothing is half imported.
 Result<ImportedFile> importFile(const std::filesystem::path &path, const FileImportOptions &options,
                                 const JobControl &control);
+
+/// Each finished surface of SketchSurfacer in \a project a stack; TooLittleData if there is none.
+Result<ImportedFile> importSurfaces(const Project &project, const std::string &name);
 
 /// True for files (and Quill folders) importFile() reads by their name; .ductus is not among them.
 bool isImportable(const std::filesystem::path &path);

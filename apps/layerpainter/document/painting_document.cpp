@@ -1,6 +1,7 @@
 #include "layerpainter/document/painting_document.h"
 
 #include "document/project_picture.h"
+#include "layerpainter/document/import_file.h"
 #include "layerpainter/document/painting_project.h"
 
 #include <QDateTime>
@@ -166,6 +167,12 @@ std::string PaintingDocument::actionLog() const
 Result<void> PaintingDocument::readFrom(const Project &project)
 {
     Result<StoredPainting> stored = paintingFromProject(project);
+    if (!stored && stored.error().code == ErrorCode::TooLittleData)
+        // Sent here by SketchSurfacer: its surfaces are what is painted on, in the same project.
+        if (const Result<ImportedFile> surfaces = importSurfaces(project, ""))
+            stored = StoredPainting{Uuid::create(), surfaces->name,
+                                    std::make_shared<const PaintingContent>(surfaces->painting,
+                                                                            UnknownPaintingMembers())};
     if (!stored)
         return stored.error();
     mDocumentId = stored->documentId;

@@ -7,6 +7,8 @@
 #include "painting/testing/random_actions.h"
 #include "project/project_reader.h"
 #include "project/project_writer.h"
+#include "project/testing/sample_project.h"
+#include "support/mesh_zoo.h"
 
 #include <QDir>
 #include <QSignalSpy>
@@ -54,6 +56,7 @@ private slots:
     void refusedActionsChangeNothing();
     void comesBackFromAProject();
     void untouchedProjectsStayAsTheyWere();
+    void surfacesOfASketchAreWhatIsPaintedOn();
     void saysWhatChanged();
 };
 
@@ -167,6 +170,40 @@ void PaintingDocumentTest::comesBackFromAProject()
     other.start({}, "kept");
     QVERIFY(!other.load(Project(), {}).ok());
     QCOMPARE(other.displayName(), QString("kept"));
+}
+
+void PaintingDocumentTest::surfacesOfASketchAreWhatIsPaintedOn()
+{
+    Project project;
+    project.id = Uuid::create();
+    ProjectDocument sketch;
+    sketch.id = Uuid::create();
+    sketch.kind = sketchSurfaceKind;
+    sketch.name = "bottle";
+    SketchSurfaceDocument content = sampleSketchSurface(3);
+    content.surface.emplace();
+    content.surface->mesh = zoo::box();
+    content.strokes.metresPerUnit = 0.001;
+    sketch.sketchSurface = std::make_shared<const SketchSurfaceDocument>(content);
+    project.documents.push_back(sketch);
+    PaintingDocument document;
+    const Result<void> loaded = document.load(project, {});
+    QVERIFY2(loaded.ok(), loaded ? "" : loaded.error().message().c_str());
+    QCOMPARE(document.painting().stacks.size(), std::size_t(1));
+    QCOMPARE(document.painting().stacks.front().name, std::string("bottle"));
+    QCOMPARE(document.painting().metresPerUnit, 0.001);
+    QCOMPARE(document.painting().stacks.front().substrate->elementCount(), 1);
+    // Saved, the painting stands beside the sketch, in the same project, and is found again.
+    QVERIFY(document.perform(act::AddStack{"glaze"}).ok());
+    const Project saved =
+        *parseProject(serializedProject(document.snapshot())->bytes, "b.ductus", knownDocuments());
+    QCOMPARE(saved.documents.size(), std::size_t(2));
+    QVERIFY(saved.id == project.id && saved.documents.front().sketchSurface);
+    QCOMPARE(paintingFromProject(saved)->content->painting().stacks.size(), std::size_t(2));
+
+    content.surface.reset(); // nothing to paint on yet
+    project.documents.front().sketchSurface = std::make_shared<const SketchSurfaceDocument>(content);
+    QVERIFY(!PaintingDocument().load(project, {}).ok());
 }
 
 void PaintingDocumentTest::untouchedProjectsStayAsTheyWere()
