@@ -3,6 +3,7 @@
 #include "cli/batch_command.h"
 #include "cli/output_files.h"
 #include "doodlestudio/cli/open_doodle.h"
+#include "doodlestudio/cli/timeline_file.h"
 #include "doodling/export/export_film.h"
 
 #include <cstdio>
@@ -14,7 +15,7 @@ namespace {
 
 struct ExportArguments
 {
-    std::filesystem::path project, output, clip;
+    std::filesystem::path project, output, clip, otio;
     FilmExport what;
     bool wantsJson = false;
 };
@@ -43,6 +44,14 @@ ExitCode run(const ExportArguments &a, TerminalJob &job)
     const Result<OpenedDoodle> doodle = openDoodle(a.project);
     if (!doodle)
         return failed(job, doodle.error());
+    if (!a.otio.empty()) {
+        if (const Result<void> written = writeTimelineFile(*doodle, a.clip, a.otio); !written)
+            return failed(job, written.error());
+        if (a.output.empty()) {
+            job.finishLine();
+            return ExitCode::Done;
+        }
+    }
     const std::filesystem::path &clipPath = a.clip.empty() ? doodle->clip : a.clip;
     if (isSameFile(a.output, clipPath))
         return failed(job, {ErrorCode::InvalidArgument, "Exporting the film", "it would replace the clip",
@@ -95,9 +104,14 @@ ExitCode runExportCommand(const QStringList &arguments)
     const QCommandLineOption clip(QStringLiteral("clip"),
                                   QStringLiteral("Where the clip is now, if it was moved."),
                                   QStringLiteral("CLIP"));
+    const QCommandLineOption otio(QStringLiteral("otio"),
+                                  QStringLiteral("Also, or without -o only, a timeline for editing programs "
+                                                 "(OpenTimelineIO): the clip, the canvases above it, their "
+                                                 "keyframes as markers."),
+                                  QStringLiteral("FILE.otio"));
     const QCommandLineOption json(QStringLiteral("json"), QStringLiteral("A report on standard output."));
     parser.addPositional(QStringLiteral("P.ductus"), QStringLiteral("The project."));
-    for (const QCommandLineOption &option : {output, what, lines, every, silent, clip, json})
+    for (const QCommandLineOption &option : {output, what, lines, every, silent, clip, otio, json})
         parser.addOption(option);
     if (const std::optional<ExitCode> end = parser.parse(arguments, 1, 1))
         return *end;
@@ -105,12 +119,13 @@ ExitCode runExportCommand(const QStringList &arguments)
     a.project = parser.positionalPath(0);
     a.output = parser.path(output);
     a.clip = parser.path(clip);
+    a.otio = parser.path(otio);
     a.wantsJson = parser.isSet(json);
     a.what.withSound = !parser.isSet(silent);
     const std::optional<FilmKind> kind = filmKindOf(a.output);
-    if (!kind)
+    if (!kind && (a.otio.empty() || parser.isSet(output)))
         return parser.wrongUsage(QStringLiteral("-o OUT.mp4, OUT.webm, OUT.gif or a folder is missing"));
-    a.what.kind = *kind;
+    a.what.kind = kind.value_or(FilmKind::Mp4);
     bool isKnown = false;
     for (const auto &[name, content] : contents)
         if (parser.value(what) == QLatin1String(name)) {
