@@ -42,6 +42,15 @@ QLineEdit:focus, QAbstractSpinBox:focus, QComboBox:focus { border-color: @accent
 QLineEdit:disabled, QAbstractSpinBox:disabled, QComboBox:disabled { color: @disabled; }
 QSpinBox QLineEdit, QDoubleSpinBox QLineEdit { border: none; min-height: 0; padding: 0;
     background: transparent; }
+QAbstractSpinBox::up-button, QAbstractSpinBox::down-button { subcontrol-origin: border; width: 18px;
+    background: transparent; border: none; }
+QAbstractSpinBox::up-button { subcontrol-position: top right; margin: 1px 1px 0 0; border-top-right-radius: 5px; }
+QAbstractSpinBox::down-button { subcontrol-position: bottom right; margin: 0 1px 1px 0;
+    border-bottom-right-radius: 5px; }
+QAbstractSpinBox::up-button:hover, QAbstractSpinBox::down-button:hover { background: @hover; }
+QAbstractSpinBox::up-button:pressed, QAbstractSpinBox::down-button:pressed { background: @pressed; }
+QAbstractSpinBox::up-arrow { image: url(:/ductus/shapes/@uparrow); width: 10px; height: 10px; }
+QAbstractSpinBox::down-arrow { image: url(:/ductus/shapes/@arrow); width: 10px; height: 10px; }
 QComboBox { padding: 0 8px; }
 QComboBox::drop-down { border: none; width: 20px; }
 QComboBox::down-arrow { image: url(:/ductus/shapes/@arrow); width: 12px; height: 12px; }
@@ -142,6 +151,7 @@ QString styleSheet(const ThemeColours &c)
         {"@handle", mixed(c.line, c.dim, 0.25).name()},
         {"@check", c.onAccent.lightness() < 128 ? "check-dark.svg" : "check-light.svg"},
         {"@spot", c.onAccent.lightness() < 128 ? "dot-dark.svg" : "dot-light.svg"},
+        {"@uparrow", c.isDark ? "arrow-up-dark.svg" : "arrow-up-light.svg"},
         {"@arrow", c.isDark ? "arrow-down-dark.svg" : "arrow-down-light.svg"},
         {"@panel", c.panel.name()},
         {"@hover", c.hover.name()},

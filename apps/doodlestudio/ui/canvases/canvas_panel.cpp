@@ -8,6 +8,7 @@
 #include "widgets/theme/icons.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -20,7 +21,7 @@ CanvasPanel::CanvasPanel(StudioState &state, QWidget *parent) : QWidget(parent),
 {
     auto *outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
-    mEmpty = new QLabel(tr("Drag out a box on the picture: a canvas to draw on will stand there."));
+    mEmpty = new QLabel;
     mEmpty->setWordWrap(true);
     mEmpty->setProperty("dim", true);
     outer->addWidget(mEmpty);
@@ -56,6 +57,13 @@ void CanvasPanel::buildPlace(QVBoxLayout *layout)
     mKeyframes->setProperty("dim", true);
     mKeyframes->setWordWrap(true);
     layout->addWidget(mKeyframes);
+    mStraight = new QCheckBox(tr("Straight to the next pin"));
+    mStraight->setObjectName(QStringLiteral("straight"));
+    mStraight->setToolTip(
+        tr("From the pin before this frame to the one after it the canvas goes straight and "
+           "evenly instead of following what is seen: for where it is hidden too long."));
+    layout->addWidget(mStraight);
+    connect(mStraight, &QCheckBox::clicked, this, &CanvasPanel::setStraight);
 
     mDistance = new NumberSlider(tr("Distance"), {0.1, 100.0, 0.1, 10.0, 2, {}, true},
                                  tr("How far the canvas is from the camera. Nearer things hide it."));
@@ -76,13 +84,22 @@ void CanvasPanel::buildPlace(QVBoxLayout *layout)
     face->setToolTip(tr("Turns the canvas straight to the camera in this frame."));
     connect(face, &QPushButton::clicked, this, &CanvasPanel::faceCamera);
     layout->addWidget(face);
-    mTurns = new QCheckBox(tr("Turns with the way it goes"));
-    mTurns->setToolTip(tr("Keeps its direction relative to its path, as a sign on a tram does in a bend."));
+    mTurns = new QComboBox;
+    mTurns->setObjectName(QStringLiteral("turning"));
+    mTurns->setAccessibleName(tr("How it turns while it follows"));
+    mTurns->setToolTip(tr("What the canvas does between the frames in which you turned it."));
+    // In the order of CanvasTurning.
+    mTurns->addItems(
+        {tr("Turns with the way it goes"), tr("Keeps its direction"), tr("Turns with the thing it is on")});
+    const QString teaches[] = {
+        tr("Keeps its direction relative to its path, as a sign on a tram does in a bend."),
+        tr("Looks where you turned it to, whatever happens."),
+        tr("Turns as the picture turns around its middle, as a hat does on a dancer.")};
+    for (int i = 0; i < mTurns->count(); ++i)
+        mTurns->setItemData(i, teaches[i], Qt::ToolTipRole);
     layout->addWidget(mTurns);
-    connect(mTurns, &QCheckBox::clicked, this, [this](bool on) {
-        change(tr("Change turning"), [on](Canvas &canvas) {
-            canvas.turning = on ? CanvasTurning::AlongPath : CanvasTurning::Still;
-        });
+    connect(mTurns, &QComboBox::activated, this, [this](int index) {
+        change(tr("Change turning"), [index](Canvas &canvas) { canvas.turning = CanvasTurning(index); });
     });
 }
 
@@ -177,6 +194,26 @@ void CanvasPanel::pinHere()
         mState.document().editCanvas(tr("Pin canvas"), withMiddleAt(*canvas, mState.frame(), place->pixel));
 }
 
+std::optional<int> CanvasPanel::pinBefore() const
+{
+    const Canvas *canvas = mState.chosenCanvas();
+    if (!canvas || canvas->motion != CanvasMotion::Dynamic)
+        return std::nullopt;
+    const auto &pins = canvas->keyframes.positions;
+    for (std::size_t i = 0; i + 1 < pins.size(); ++i)
+        if (pins[i].frame <= mState.frame() && mState.frame() < pins[i + 1].frame)
+            return pins[i].frame;
+    return std::nullopt;
+}
+
+void CanvasPanel::setStraight(bool straight)
+{
+    if (const std::optional<int> pin = pinBefore())
+        mState.document().editCanvas(
+            straight ? tr("Go straight") : tr("Follow the scene"),
+            withInterpolation(*mState.chosenCanvas(), KeyframeKind::Position, *pin, straight));
+}
+
 void CanvasPanel::faceCamera()
 {
     const Canvas *canvas = mState.chosenCanvas();
@@ -212,8 +249,13 @@ void CanvasPanel::refresh()
     const Canvas *canvas = mState.chosenCanvas();
     mEmpty->setVisible(!canvas);
     mContent->setVisible(canvas);
-    if (!canvas)
+    if (!canvas) {
+        mEmpty->setText(mState.document().scene().canvases.empty()
+                            ? tr("Drag out a box on the picture: a canvas to draw on will stand there.")
+                            : tr("Choose a canvas above or on the picture, or drag out a box for another "
+                                 "one."));
         return;
+    }
     const bool follows = canvas->motion == CanvasMotion::Dynamic;
     {
         const QSignalBlocker blocker(mMotion);
@@ -226,7 +268,14 @@ void CanvasPanel::refresh()
                             ? tr("Pinned in %n frame(s); drag it where it drifts.", nullptr, pins)
                             : tr("Following..."));
     mTurns->setVisible(follows);
-    mTurns->setChecked(canvas->turning == CanvasTurning::AlongPath);
+    mTurns->setCurrentIndex(int(canvas->turning));
+    const std::optional<int> pin = pinBefore();
+    mStraight->setVisible(follows && pins > 1);
+    mStraight->setEnabled(pin.has_value());
+    mStraight->setChecked(
+        pin &&
+        std::any_of(canvas->keyframes.positions.begin(), canvas->keyframes.positions.end(),
+                    [pin](const CanvasKeyframe &key) { return key.frame == *pin && key.interpolatesNext; }));
     if (const std::optional<CanvasFrame> place = mState.place(*canvas)) {
         if (place->depth > mDistance->range().maximum || place->depth < mDistance->range().minimum ||
             mDistance->range().maximum > 40.0 * place->depth) {

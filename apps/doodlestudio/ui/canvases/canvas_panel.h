@@ -7,6 +7,7 @@
 #include <QWidget>
 
 class QCheckBox;
+class QComboBox;
 class QLabel;
 class QPushButton;
 class QToolButton;
@@ -27,6 +28,9 @@ public:
     void setFollows(bool follows);
     /// A keyframe where the chosen canvas is now.
     void pinHere();
+    /// Whether the canvas goes straight from the pin before this frame to the next one. Nothing outside of
+    /// pins.
+    void setStraight(bool straight);
     void faceCamera();
     void useSceneDistance();
 
@@ -40,6 +44,7 @@ private:
     void buildPlace(QVBoxLayout *layout);
     void buildHiding(QVBoxLayout *layout);
     void refresh();
+    std::optional<int> pinBefore() const; // whose segment the present frame is in
     void editDistance(double depth);
     void editSize(double percent);
     template <typename Change>
@@ -55,7 +60,8 @@ private:
     QPushButton *mSceneDistance;
     NumberSlider *mSize;
     NumberSlider *mOpacity;
-    QCheckBox *mTurns;
+    QComboBox *mTurns;
+    QCheckBox *mStraight;
     QCheckBox *mIsHidden;
     NumberSlider *mBias;
     QPushButton *mInFront;

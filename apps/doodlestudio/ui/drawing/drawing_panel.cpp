@@ -9,7 +9,9 @@
 #include <QButtonGroup>
 #include <QColorDialog>
 #include <QComboBox>
+#include <QFileDialog>
 #include <QHBoxLayout>
+#include <QImageReader>
 #include <QLabel>
 #include <QLineEdit>
 #include <QToolButton>
@@ -24,6 +26,8 @@ namespace {
 
 constexpr double narrowest = 0.002, widest = 0.2; // shares of the canvas
 constexpr double wordsPerWidth = 7.0;             // height of a line in widths of the pen
+constexpr int mostPicturePixels = 1024;           // of an inserted picture's longer side
+constexpr double pictureShare = 0.8;              // of the canvas it fills at first
 
 const std::array<QColor, 10> paletteColours{
     QColor(0xff, 0xff, 0xff), QColor(0x1d, 0x21, 0x26), QColor(0xe5, 0x3e, 0x3e), QColor(0xff, 0x8c, 0x2b),
@@ -119,6 +123,16 @@ void DrawingPanel::buildTools(QVBoxLayout *layout)
         mTools->addButton(button, int(tool.tool));
         row->addWidget(button);
     }
+    auto *picture = new QToolButton;
+    picture->setObjectName(QStringLiteral("insertPicture"));
+    picture->setIcon(icon(QStringLiteral("insert-picture")));
+    picture->setIconSize({22, 22});
+    picture->setFixedSize(34, 34);
+    picture->setAutoRaise(true);
+    picture->setAccessibleName(tr("Picture"));
+    picture->setToolTip(tr("Picture. Puts a picture from a file on the canvas; move it with V."));
+    row->addWidget(picture);
+    connect(picture, &QToolButton::clicked, this, &DrawingPanel::choosePicture);
     row->addStretch(1);
     mTitle = new QLabel;
     mTitle->setProperty("dim", true);
@@ -189,7 +203,10 @@ void DrawingPanel::buildColours(QVBoxLayout *layout)
     mWidth =
         new NumberSlider(tr("Width"), {100 * narrowest, 100 * widest, 0.1, 2.2, 1, QStringLiteral("%"), true},
                          tr("Of the line, as a share of the canvas. Keys [ and ]."));
-    layout->addWidget(mWidth);
+    auto *numbers = new QHBoxLayout; // side by side: the sheet needs the height
+    numbers->setSpacing(12);
+    layout->addLayout(numbers);
+    numbers->addWidget(mWidth);
     connect(mWidth, &NumberSlider::valueChanged, this, [this](double percent) {
         Brush brush = mState.brush();
         brush.width = percent / 100.0;
@@ -198,7 +215,7 @@ void DrawingPanel::buildColours(QVBoxLayout *layout)
     mFilm = new NumberSlider(tr("Film"), {0.0, 100.0, 1.0, 75.0, 0, QStringLiteral("%")},
                              tr("How much of the film is seen below the drawing."));
     mFilm->setValue(75.0);
-    layout->addWidget(mFilm);
+    numbers->addWidget(mFilm);
     connect(mFilm, &NumberSlider::valueChanged, this,
             [this](double percent) { mView->setUnderlay(percent / 100.0); });
 }
@@ -248,6 +265,55 @@ void DrawingPanel::placeWords(const Vec2 &at)
     words.edge = brush.colour.lightnessF() > 0.5 ? Rgba{29, 33, 38, 255} : Rgba{255, 255, 255, 255};
     mState.document().editDoodle(tr("Write"), canvas->id,
                                  withMark(canvas->doodle, mState.drawingOf(*canvas), std::move(words)));
+}
+
+void DrawingPanel::choosePicture()
+{
+    if (!mState.chosenCanvas())
+        return;
+    const QString path = QFileDialog::getOpenFileName(this, tr("Picture"), {},
+                                                      tr("Pictures (*.png *.jpg *.jpeg *.bmp *.gif *.svg)"));
+    if (!path.isEmpty())
+        insertPicture(path);
+}
+
+bool DrawingPanel::insertPicture(const QString &path)
+{
+    const Canvas *canvas = mState.chosenCanvas();
+    if (!canvas)
+        return false;
+    QImageReader reader(path);
+    reader.setAutoTransform(true);
+    // Read at the size it is kept in: memory stays bounded whatever the file says of itself.
+    if (const QSize size = reader.size();
+        size.width() > mostPicturePixels || size.height() > mostPicturePixels)
+        reader.setScaledSize(size.scaled(mostPicturePixels, mostPicturePixels, Qt::KeepAspectRatio));
+    QImage read = reader.read();
+    if (read.isNull()) {
+        const Error error{ErrorCode::Malformed, "Reading the picture", reader.errorString().toStdString(),
+                          "Choose a PNG or JPEG file", path.toStdString()};
+        return mState.document().editDoodle(tr("Insert picture"), canvas->id, error);
+    }
+    if (read.width() > mostPicturePixels || read.height() > mostPicturePixels)
+        read =
+            read.scaled(mostPicturePixels, mostPicturePixels, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+    read = read.convertToFormat(QImage::Format_RGBA8888);
+    auto image = std::make_shared<Image>(read.width(), read.height());
+    for (int y = 0; y < read.height(); ++y)
+        std::copy_n(read.constScanLine(y), std::size_t(read.width()) * 4,
+                    image->pixels.begin() + std::ptrdiff_t(y) * read.width() * 4);
+    PictureMark mark;
+    mark.size = toVec(QRectF({}, QSizeF(read.size())
+                                     .scaled(pictureShare * canvas->size.x(), pictureShare * canvas->size.y(),
+                                             Qt::KeepAspectRatio))
+                          .bottomRight());
+    mark.image = std::move(image);
+    const bool isIn =
+        mState.document().editDoodle(tr("Insert picture"), canvas->id,
+                                     withMark(canvas->doodle, mState.drawingOf(*canvas), std::move(mark)));
+    if (isIn)
+        setTool(DrawingTool::Move);
+    return isIn;
 }
 
 void DrawingPanel::refresh()

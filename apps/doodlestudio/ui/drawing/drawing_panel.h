@@ -31,11 +31,15 @@ public:
     /// Larger (> 0) or smaller by one step.
     void changeWidth(int steps);
     QLineEdit *words() { return mWords; }
+    /// A picture from a file on the middle of the canvas, to be moved from there. Files that are none are
+    /// told by DoodleDocument::refused().
+    bool insertPicture(const QString &path);
 
 private:
     void buildTools(QVBoxLayout *layout);
     void buildColours(QVBoxLayout *layout);
     void placeWords(const Vec2 &at);
+    void choosePicture();
     void refresh();
 
     StudioState &mState;

@@ -26,7 +26,7 @@ public:
     Vec2 toCanvas(const QPointF &inView) const;
 
     QSize sizeHint() const override { return {420, 420}; }
-    QSize minimumSizeHint() const override { return {260, 200}; }
+    QSize minimumSizeHint() const override { return {260, 140}; }
 
 protected:
     void paintEvent(QPaintEvent *event) override;

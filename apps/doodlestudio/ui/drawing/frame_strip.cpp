@@ -65,7 +65,7 @@ void FrameStrip::buildControls()
     layout->addWidget(mOnion);
     mOnionCount = new QSpinBox;
     mOnionCount->setRange(1, 5);
-    mOnionCount->setMinimumWidth(52);
+    mOnionCount->setMinimumWidth(64);
     mOnionCount->setAccessibleName(tr("Drawings that shine through"));
     mOnionCount->setToolTip(tr("How many drawings before and after shine through."));
     layout->addWidget(mOnionCount);
@@ -74,7 +74,7 @@ void FrameStrip::buildControls()
     mHold = new QSpinBox;
     mHold->setObjectName(QStringLiteral("hold"));
     mHold->setRange(1, 250);
-    mHold->setMinimumWidth(60);
+    mHold->setMinimumWidth(72);
     mHold->setAccessibleName(tr("Video frames this drawing is held"));
     mHold->setToolTip(tr("For how many frames of the film this drawing is seen."));
     holdLabel->setBuddy(mHold);

@@ -85,6 +85,7 @@ ExportDialog::ExportDialog(DoodleDocument &document, JobRunner &runner, QWidget 
     layout->addLayout(row);
     connect(browse, &QPushButton::clicked, this, &ExportDialog::choosePath);
     mSound = new QCheckBox(tr("With the sound of the clip"));
+    mSound->setObjectName(QStringLiteral("withSound"));
     mSound->setChecked(true);
     layout->addWidget(mSound);
     mProgress = new QProgressBar;
@@ -98,6 +99,7 @@ ExportDialog::ExportDialog(DoodleDocument &document, JobRunner &runner, QWidget 
     layout->addWidget(mStatus);
     auto *buttons = new QHBoxLayout;
     mFolder = new QPushButton(tr("Show in folder"));
+    mFolder->setObjectName(QStringLiteral("showInFolder"));
     mFolder->hide();
     mClose = new QPushButton(tr("Close"));
     mStart = new QPushButton(tr("Export"));
@@ -122,6 +124,7 @@ ExportDialog::ExportDialog(DoodleDocument &document, JobRunner &runner, QWidget 
                              ? tr("%1, about %n s left", nullptr, *state.remainingSeconds).arg(state.text)
                              : state.text);
     });
+    connect(mPath, &QLineEdit::textChanged, this, &ExportDialog::pathEdited);
     setPreset(ExportPreset::Share);
 }
 
@@ -143,9 +146,14 @@ void ExportDialog::buildPresets(QVBoxLayout *layout)
         lesson->setProperty("dim", true);
         lesson->setWordWrap(true);
         lesson->setContentsMargins(24, 0, 0, 0);
+        lesson->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Minimum);
+        lesson->setAlignment(Qt::AlignTop);
         mPresets->addButton(button, i);
-        layout->addWidget(button);
-        layout->addWidget(lesson);
+        auto *preset = new QVBoxLayout; // the words belong to the button above them
+        preset->setSpacing(0);
+        preset->addWidget(button);
+        preset->addWidget(lesson);
+        layout->addLayout(preset);
     }
     connect(mPresets, &QButtonGroup::idClicked, this, [this](int id) { setPreset(ExportPreset(id)); });
 }
@@ -183,7 +191,32 @@ void ExportDialog::choosePath()
         return;
     if (QFileInfo(chosen).suffix().toLower() != suffix)
         chosen += QLatin1Char('.') + suffix;
+    mMayReplace = chosen; // the file dialog has asked
     setPath(chosen);
+}
+
+bool ExportDialog::asksToReplace()
+{
+    const QString target = path();
+    if (!QFileInfo::exists(target) || mMayReplace == target)
+        return false;
+    mMayReplace = target;
+    mStart->setText(tr("Replace"));
+    mFolder->hide();
+    mStatus->setText(
+        tr("%1 is there already. Replace it, or choose another name.").arg(QFileInfo(target).fileName()));
+    mStatus->show();
+    return true;
+}
+
+void ExportDialog::pathEdited()
+{
+    if (path() == mMayReplace)
+        return;
+    mMayReplace.clear();
+    mStart->setText(tr("Export"));
+    mStatus->hide();
+    mFolder->hide();
 }
 
 void ExportDialog::start()
@@ -192,6 +225,8 @@ void ExportDialog::start()
         mRunner.cancel(mJob);
         return;
     }
+    if (asksToReplace())
+        return;
     const FilmExport what = exportOf(ExportPreset(mPresets->checkedId()), mSound->isChecked());
     const QString target = path();
     mJob = mRunner.start<ExportReport>(
@@ -219,6 +254,7 @@ void ExportDialog::finish(const QString &path, Result<ExportReport> report)
                              .arg(QFileInfo(path).fileName())
                              .arg(report->width)
                              .arg(report->height));
+        mMayReplace = path; // made here
         mFolder->show();
         emit exported(path);
     } else if (report.error().isCancelled()) {

@@ -44,6 +44,9 @@ signals:
 private:
     void buildPresets(QVBoxLayout *layout);
     void choosePath();
+    void pathEdited();
+    /// The file is there and nobody has said yet that it may go: asks, in the dialog.
+    bool asksToReplace();
     void finish(const QString &path, Result<ExportReport> report);
     void showRunning(bool running);
 
@@ -58,6 +61,7 @@ private:
     QPushButton *mFolder;
     QPushButton *mClose;
     JobId mJob = 0;
+    QString mMayReplace; // the file that was agreed on
 };
 
 } // namespace ductus
