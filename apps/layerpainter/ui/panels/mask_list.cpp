@@ -2,9 +2,11 @@
 
 #include "document/commands/change_value.h"
 #include "layerpainter/document/default_view.h"
+#include "layerpainter/document/texture_block.h"
 #include "widgets/controls/number_slider.h"
 #include "widgets/theme/icons.h"
 
+#include <QFileDialog>
 #include <QGuiApplication>
 #include <QMenu>
 #include <QToolButton>
@@ -159,6 +161,7 @@ void MaskList::fillMenu(QMenu &menu)
 {
     menu.clear();
     menu.addAction(tr("Noise"), this, &MaskList::addNoise);
+    menu.addAction(tr("Texture from pictures..."), this, &MaskList::chooseTexture);
     for (const bool inside : {true, false}) {
         QMenu *layers = menu.addMenu(inside ? tr("Inside strokes of") : tr("Outside strokes of"));
         for (const Layer *layer : mDocument.painting().layers())
@@ -179,6 +182,28 @@ void MaskList::addNoise()
     noise.cellSize = diagonal > 0 ? 0.02 * diagonal : 0.1;
     noise.seed = now->size() + 1;
     now->push_back({true, false, noise});
+    perform(std::move(*now));
+}
+
+void MaskList::chooseTexture()
+{
+    const QStringList pictures = QFileDialog::getOpenFileNames(
+        this, tr("Slices of a texture, or one picture"), {}, tr("Pictures (*.png *.jpg *.jpeg)"));
+    if (!pictures.isEmpty())
+        addTexture(pictures);
+}
+
+void MaskList::addTexture(const QStringList &pictures)
+{
+    auto now = masks();
+    if (!now)
+        return;
+    const Result<TextureMask> texture = textureFromPictures(pictures, paintingBox(mDocument.painting()));
+    if (!texture) {
+        emit mDocument.refused(texture.error());
+        return;
+    }
+    now->push_back({true, false, *texture});
     perform(std::move(*now));
 }
 

@@ -18,10 +18,13 @@ public:
 
     void setLayer(LayerId layer);
     void addNoise();
+    /// Slices of a block of opacities around the painting.
+    void addTexture(const QStringList &pictures);
     /// Shows the layer only inside (or outside) the strokes of \a other.
     void addStrokes(LayerId other, bool inside);
 
 private:
+    void chooseTexture();
     void refresh();
     void addChip(std::size_t index, const Mask &mask);
     void addNoiseSliders(std::size_t index, const NoiseMask &noise);

@@ -3,6 +3,7 @@
 #include "document/commands/change_value.h"
 #include "layerpainter/film/film_plan.h"
 #include "layerpainter/ui/panels/key_track.h"
+#include "layerpainter/ui/panels/motion_tracks.h"
 #include "layerpainter/ui/view/painting_view.h"
 #include "widgets/controls/number_slider.h"
 #include "widgets/theme/icons.h"
@@ -26,7 +27,13 @@ constexpr double sameTime = 1e-3; // seconds
 MotionBar::MotionBar(PaintingDocument &document, PaintingView &view, QWidget *parent)
     : QWidget(parent), mDocument(document), mView(view)
 {
-    auto *layout = new QHBoxLayout(this);
+    auto *all = new QVBoxLayout(this);
+    all->setContentsMargins(0, 0, 0, 0);
+    all->setSpacing(0);
+    auto *layout = new QHBoxLayout;
+    all->addLayout(layout);
+    mTracks = new MotionTracks(document, view);
+    all->addWidget(mTracks);
     layout->setContentsMargins(12, 2, 12, 6);
     layout->setSpacing(8);
     mPlay = button(QStringLiteral("media-playback-start"), tr("Play"),
@@ -56,6 +63,10 @@ MotionBar::MotionBar(PaintingDocument &document, PaintingView &view, QWidget *pa
     connect(keep, &QToolButton::clicked, this, &MotionBar::keepView);
     connect(mRemove, &QToolButton::clicked, this, &MotionBar::removeKey);
     connect(mTrack, &KeyTrack::scrubbed, this, [this](double seconds) {
+        setPlaying(false);
+        show(seconds);
+    });
+    connect(mTracks, &MotionTracks::scrubbed, this, [this](double seconds) {
         setPlaying(false);
         show(seconds);
     });
@@ -125,6 +136,7 @@ void MotionBar::advance()
 void MotionBar::show(double seconds)
 {
     mTrack->setSeconds(seconds);
+    mTracks->setTime(seconds, mTrack->length());
     mText->setText(tr("%1 / %2 s").arg(seconds, 0, 'f', 2).arg(mTrack->length(), 0, 'f', 1));
     mRemove->setEnabled(mTrack->isOnCameraKey());
     mView.setSeconds(seconds, mFollow->isChecked());
@@ -148,6 +160,7 @@ void MotionBar::refresh()
         for (const PlacementKey &key : group.keys)
             keys.push_back({key.timeSeconds, false});
     mTrack->setKeys(std::move(keys));
+    mTracks->setTime(mView.seconds(), mTrack->length());
     mLength->setValue(painting.loopSeconds);
     mText->setText(tr("%1 / %2 s").arg(mView.seconds(), 0, 'f', 2).arg(mTrack->length(), 0, 'f', 1));
     mRemove->setEnabled(mTrack->isOnCameraKey());

@@ -13,6 +13,7 @@ class QToolButton;
 namespace ductus {
 
 class KeyTrack;
+class MotionTracks;
 class NumberSlider;
 class PaintingView;
 
@@ -22,6 +23,7 @@ class MotionBar : public QWidget
 public:
     MotionBar(PaintingDocument &document, PaintingView &view, QWidget *parent = nullptr);
 
+    MotionTracks &tracks() { return *mTracks; }
     bool isPlaying() const { return mTimer.isActive(); }
     void setPlaying(bool playing);
     void setSeconds(double seconds);
@@ -38,6 +40,7 @@ private:
     PaintingDocument &mDocument;
     PaintingView &mView;
     KeyTrack *mTrack;
+    MotionTracks *mTracks;
     QLabel *mText;
     QToolButton *mPlay, *mFollow, *mRemove;
     NumberSlider *mLength;

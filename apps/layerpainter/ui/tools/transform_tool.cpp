@@ -34,13 +34,20 @@ QPointF TransformTool::scaleHandle(const QPointF &centre)
     return centre + QPointF(ringRadius, ringRadius) * std::sqrt(0.5) * 1.35;
 }
 
+std::vector<ElementId> TransformTool::moved(const PaintingView &view) const
+{
+    return view.keyedThing() ? elementsOf(mDocument.painting(), *view.keyedThing(), view.seconds())
+                             : view.selection();
+}
+
 std::optional<Vec3> TransformTool::centre(PaintingView &view) const
 {
-    if (view.selection().empty())
+    const std::vector<ElementId> ids = moved(view);
+    if (ids.empty())
         return std::nullopt;
     const auto painting = mDocument.sharedPainting();
-    if (mKnownOf != painting || mKnown != view.selection()) {
-        const std::unordered_set<ElementId> chosen(view.selection().begin(), view.selection().end());
+    if (mKnownOf != painting || mKnown != ids || mKnownAt != view.seconds()) {
+        const std::unordered_set<ElementId> chosen(ids.begin(), ids.end());
         Box3 box;
         for (const Layer *layer : painting->layers())
             for (const auto &[element, place] : view.shownElements(*layer)) {
@@ -53,8 +60,9 @@ std::optional<Vec3> TransformTool::centre(PaintingView &view) const
                     for (const Vec3 &vertex : std::get<MeshShape>(*element->shape).mesh.vertices)
                         box.add(place * vertex);
             }
-        mKnown = view.selection();
+        mKnown = ids;
         mKnownOf = painting;
+        mKnownAt = view.seconds();
         mMiddle = box.isEmpty() ? Vec3(Vec3::Zero()) : box.centre();
     }
     return mMiddle;
@@ -71,7 +79,7 @@ void TransformTool::press(PaintingView &view, const CanvasPointer &pointer)
             else if (std::abs(away - ringRadius) <= reach)
                 mGrip = Grip::Turn;
         }
-    if (view.selection().empty()) {
+    if (view.selection().empty() && !view.keyedThing()) {
         const auto picked = view.pick(pointer.position);
         if (!picked)
             return;
@@ -105,9 +113,22 @@ Placement TransformTool::change(PaintingView &view, const CanvasPointer &pointer
     return around(mCentre, Eigen::Quaterniond(Eigen::AngleAxisd(angle, axis)), 1);
 }
 
-act::Transform TransformTool::action(PaintingView &view, const CanvasPointer &pointer) const
+std::optional<PaintingAction> TransformTool::action(PaintingView &view, const CanvasPointer &pointer) const
 {
-    act::Transform done{view.selection(), change(view, pointer)};
+    const Placement by = change(view, pointer);
+    if (by == Placement())
+        return std::nullopt;
+    const Painting &painting = mDocument.painting();
+    if (const PlacementKeys *keys = view.keyedThing() ? keysOf(painting, *view.keyedThing()) : nullptr) {
+        const double seconds = loopedTime(view.seconds(), painting.loopSeconds);
+        return settingKeys(*view.keyedThing(), withKey(*keys, seconds, by * placementAt(*keys, seconds)));
+    }
+    return transform(view, by);
+}
+
+act::Transform TransformTool::transform(PaintingView &view, const Placement &change) const
+{
+    act::Transform done{view.selection(), change};
     // Actions change elements inside their layer, which may itself have been moved.
     const Painting &painting = mDocument.painting();
     const double seconds = loopedTime(view.seconds(), painting.loopSeconds);
@@ -126,7 +147,12 @@ void TransformTool::move(PaintingView &view, const CanvasPointer &pointer)
 {
     if (!mFrom)
         return;
-    Result<PerformedAction> result = performed(mDocument.painting(), action(view, pointer));
+    const std::optional<PaintingAction> done = action(view, pointer);
+    if (!done) {
+        view.setPreview(nullptr);
+        return;
+    }
+    Result<PerformedAction> result = performed(mDocument.painting(), *done);
     view.setPreview(result ? std::make_shared<const Painting>(std::move(result->painting)) : nullptr);
 }
 
@@ -134,11 +160,11 @@ void TransformTool::release(PaintingView &view, const CanvasPointer &pointer)
 {
     if (!mFrom)
         return;
-    const act::Transform done = action(view, pointer);
+    const std::optional<PaintingAction> done = action(view, pointer);
     mFrom.reset();
     view.setPreview(nullptr);
-    if (!(done.change == Placement()))
-        (void)mDocument.perform(done);
+    if (done)
+        (void)mDocument.perform(*done);
 }
 
 bool TransformTool::cancel(PaintingView &view)

@@ -6,7 +6,8 @@
 namespace ductus {
 
 /// A drag moves the chosen strokes in the plane that faces the eye; on the ring it turns them around the view
-/// (with Shift around the vertical), on the square it scales them.
+/// (with Shift around the vertical), on the square it scales them. With a layer or group armed in the
+/// timeline it does so with all of it, as a key of its motion at the present time.
 class TransformTool : public CanvasTool
 {
 public:
@@ -27,7 +28,10 @@ public:
 private:
     enum class Grip { Move, Turn, Scale };
     Placement change(PaintingView &view, const CanvasPointer &pointer) const;
-    act::Transform action(PaintingView &view, const CanvasPointer &pointer) const;
+    /// None where the pointer has come back to where it was.
+    std::optional<PaintingAction> action(PaintingView &view, const CanvasPointer &pointer) const;
+    act::Transform transform(PaintingView &view, const Placement &change) const;
+    std::vector<ElementId> moved(const PaintingView &view) const;
 
     PaintingDocument &mDocument;
     Grip mGrip = Grip::Move;
@@ -36,6 +40,7 @@ private:
     QPointF mPressed;
     mutable std::vector<ElementId> mKnown; // whose middle is kept
     mutable std::shared_ptr<const Painting> mKnownOf;
+    mutable double mKnownAt = 0; // second
     mutable Vec3 mMiddle = Vec3::Zero();
 };
 

@@ -3,14 +3,11 @@
 #include "layerpainter/document/default_view.h"
 #include "painting/scene/element_placement.h"
 
-#include <QMouseEvent>
 #include <QOpenGLContext>
 #include <QOpenGLExtraFunctions>
 #include <QOpenGLFramebufferObject>
 #include <QPainter>
 #include <QSurfaceFormat>
-#include <QTabletEvent>
-#include <QWheelEvent>
 #include <algorithm>
 #include <unordered_set>
 
@@ -19,9 +16,9 @@ namespace ductus {
 namespace {
 
 // What nobody sees is left out: strokes smaller than half a pixel, points that matter less. While something
-// moves pixels are larger, and so is what may be left out of them.
+// moves pixels are larger, and so is what may be left out of them; large paintings are drawn by ribbons.
 constexpr RenderOptions stillDetail{1, false, 0.5, 0.25};
-constexpr RenderOptions movingDetail{1, false, 1.0, 1.0};
+constexpr RenderOptions movingDetail{1, false, 1.0, 1.0, 4.0, 200'000};
 
 } // namespace
 
@@ -162,6 +159,12 @@ void PaintingView::setStandIn(std::function<void(unsigned, const QSize &)> draw)
     changedView();
 }
 
+void PaintingView::setKeyedThing(std::optional<MovedThing> thing)
+{
+    mKeyed = thing;
+    mOverlay->update();
+}
+
 void PaintingView::updateMarks()
 {
     mOverlay->update();
@@ -197,6 +200,7 @@ void PaintingView::releaseGraphics()
         return;
     makeCurrent();
     mRenderer.reset();
+    mUploaded.reset();
     mCoarse.reset();
     mPixel.reset();
     doneCurrent();
@@ -236,8 +240,14 @@ void PaintingView::paintGL()
         ++mFrameCount;
         return;
     }
-    const Painting &painting = mPreview ? *mPreview : mDocument.painting();
-    Result<void> drawn = mRenderer->update(painting, {mSeconds, {}});
+    const std::shared_ptr<const Painting> painting = mPreview ? mPreview : mDocument.sharedPainting();
+    Result<void> drawn;
+    // Looking what has changed takes its time with tens of thousands of strokes, and turning changes nothing.
+    if (painting != mUploaded || mSeconds != mUploadedSeconds) {
+        drawn = mRenderer->update(*painting, {mSeconds, {}});
+        mUploaded = drawn ? painting : nullptr;
+        mUploadedSeconds = mSeconds;
+    }
     mDrawnDivisor = mPace.divisor();
     mRenderer->setOptions(mPace.isMoving() ? movingDetail : stillDetail);
     if (drawn)
@@ -365,86 +375,6 @@ void PaintingView::drawOverlay(QPainter &painter)
     }
     if (mTool)
         mTool->draw(*this, painter);
-}
-
-void PaintingView::mousePressEvent(QMouseEvent *event)
-{
-    mLast = event->position();
-    const bool turns = event->button() == Qt::RightButton || (event->modifiers() & Qt::AltModifier) || !mTool;
-    if (event->button() == Qt::MiddleButton || (turns && (event->modifiers() & Qt::ShiftModifier)))
-        mDrag = Drag::Pan;
-    else if (turns)
-        mDrag = Drag::Orbit;
-    else
-        mDrag = Drag::Tool;
-    if (mDrag == Drag::Tool)
-        mTool->press(*this, {event->position(), 1, event->modifiers()});
-    else if (const auto picked = pick(event->position()))
-        mCamera.setPivotDepth(picked->position);
-    mOverlay->update();
-}
-
-void PaintingView::mouseMoveEvent(QMouseEvent *event)
-{
-    const QPointF by = event->position() - mLast;
-    mLast = event->position();
-    if (mDrag == Drag::Orbit)
-        mCamera.orbit(by);
-    else if (mDrag == Drag::Pan)
-        mCamera.pan(by);
-    if (mDrag == Drag::Orbit || mDrag == Drag::Pan) {
-        movedView();
-        emit viewMoved();
-    } else if (mTool)
-        mTool->move(*this, {event->position(), 1, event->modifiers()});
-    mOverlay->update();
-    if (mDrag == Drag::None)
-        emit pointerMoved(event->position());
-}
-
-void PaintingView::mouseReleaseEvent(QMouseEvent *event)
-{
-    if (mDrag == Drag::Tool && mTool)
-        mTool->release(*this, {event->position(), 1, event->modifiers()});
-    mDrag = Drag::None;
-    mOverlay->update();
-}
-
-void PaintingView::tabletEvent(QTabletEvent *event)
-{
-    const bool isPainting = mTool && !(event->modifiers() & Qt::AltModifier);
-    if (!isPainting || event->button() == Qt::RightButton || event->button() == Qt::MiddleButton) {
-        event->ignore(); // comes again as a mouse event
-        return;
-    }
-    const double pressure = mPressure ? mPressure(event->pressure()) : event->pressure();
-    const CanvasPointer pointer{event->position(), pressure, event->modifiers(),
-                                event->pointerType() == QPointingDevice::PointerType::Eraser};
-    event->accept();
-    mLast = event->position();
-    if (event->type() == QEvent::TabletPress) {
-        mDrag = Drag::Tool;
-        mTool->press(*this, pointer);
-    } else if (event->type() == QEvent::TabletMove) {
-        mTool->move(*this, pointer);
-    } else if (event->type() == QEvent::TabletRelease && mDrag == Drag::Tool) {
-        mTool->release(*this, pointer);
-        mDrag = Drag::None;
-    }
-    mOverlay->update();
-}
-
-void PaintingView::wheelEvent(QWheelEvent *event)
-{
-    mCamera.zoom(std::pow(0.9988, event->angleDelta().y()), event->position());
-    movedView();
-    emit viewMoved();
-}
-
-void PaintingView::leaveEvent(QEvent *)
-{
-    mLast = QPointF(-1000, -1000);
-    mOverlay->update();
 }
 
 } // namespace ductus

@@ -2,6 +2,7 @@
 // button and the pen to the tool.
 #pragma once
 
+#include "layerpainter/document/motion_keys.h"
 #include "layerpainter/document/painting_document.h"
 #include "layerpainter/ui/view/canvas_tool.h"
 #include "layerpainter/ui/view/frame_pace.h"
@@ -33,6 +34,10 @@ public:
     double seconds() const { return mSeconds; }
     /// Strokes and meshes of \a layer shown at that moment, and where they stand in the scene.
     std::vector<std::pair<const Element *, Eigen::Affine3d>> shownElements(const Layer &layer) const;
+
+    /// What the transform tool moves as a whole, by keys at this moment; none: the chosen strokes.
+    void setKeyedThing(std::optional<MovedThing> thing);
+    const std::optional<MovedThing> &keyedThing() const { return mKeyed; }
 
     /// Not owned; null: the left button turns the view.
     void setTool(CanvasTool *tool);
@@ -97,12 +102,15 @@ private:
 
     PaintingDocument &mDocument;
     std::optional<PaintingRenderer> mRenderer;
+    std::shared_ptr<const Painting> mUploaded; // what it shows, as of this second
+    double mUploadedSeconds = 0;
     PaintCamera mCamera;
     Overlay *mOverlay;
     CanvasTool *mTool = nullptr;
     std::shared_ptr<const Painting> mPreview;
     std::vector<ElementId> mSelection;
     std::optional<LayerId> mHovered;
+    std::optional<MovedThing> mKeyed;
     std::function<double(double)> mPressure;
     std::function<void(unsigned, const QSize &)> mStandIn;
     Drag mDrag = Drag::None;

@@ -1,5 +1,6 @@
 // Actions and menus of LayerPainter's window.
 #include "layerpainter/ui/window/painter_window.h"
+#include "widgets/pages/help_window.h"
 
 #include <QActionGroup>
 #include <QMenu>
@@ -284,6 +285,20 @@ void PainterWindow::fillMenus()
     QMenu *brush = menu(tr("&Brush"));
     brush->addActions(named({"brush.larger", "brush.smaller"}));
     addToMenu(viewMenu(), named({"view.frame", "view.motion", "motion.play", "motion.keepView"}));
+}
+
+void PainterWindow::openManual(const QString &topic)
+{
+    auto *help = findChild<HelpWindow *>();
+    if (!help)
+        help = new HelpWindow(QStringLiteral(":/manual/layerpainter.md"), this);
+    help->show();
+    help->raise();
+    help->activateWindow();
+    // Tools have sections of their names; on the canvas the one in hand is meant.
+    const QAction *tool =
+        topic == QLatin1String("canvas") ? mToolActions->checkedAction() : actions().action(topic);
+    help->showSection(tool ? plainText(tool->text()) : QString());
 }
 
 } // namespace ductus

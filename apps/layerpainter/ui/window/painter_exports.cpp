@@ -1,9 +1,11 @@
 // What LayerPainter's window writes for other programs: pictures, films, meshes.
 #include "document/document_files.h"
 #include "formats/atomic_file.h"
+#include "formats/png_file.h"
 #include "layerpainter/document/export_mesh.h"
 #include "layerpainter/ui/window/film_dialog.h"
 #include "layerpainter/ui/window/painter_window.h"
+#include "layerpainter/ui/window/picture_dialog.h"
 #include "widgets/shell/message_bar.h"
 
 #include <QDesktopServices>
@@ -16,21 +18,50 @@ namespace ductus {
 
 void PainterWindow::chooseExport()
 {
-    const QString path = QFileDialog::getSaveFileName(
-        this, tr("Export picture"), mPainting.displayName() + QStringLiteral(".png"), tr("Pictures (*.png)"));
-    if (!path.isEmpty())
-        exportPicture(path);
+    if (mPainting.isEmpty()) {
+        messages()->info(tr("There is nothing to export yet; paint or open something first."));
+        return;
+    }
+    auto *dialog = new PictureDialog(mView->size(), this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this, [this, dialog] {
+        const FrameOptions options = dialog->choice();
+        const QString path = QFileDialog::getSaveFileName(this, tr("Export picture"),
+                                                          mPainting.displayName() + QStringLiteral(".png"),
+                                                          tr("Pictures (*.png)"));
+        if (!path.isEmpty())
+            exportPicture(path.endsWith(QLatin1String(".png"), Qt::CaseInsensitive) ? path : path + ".png",
+                          options);
+    });
+    dialog->open();
 }
 
-void PainterWindow::exportPicture(const QString &path)
+void PainterWindow::exportPicture(const QString &path, const FrameOptions &options)
 {
-    const QImage image = mView->picture();
-    if (image.isNull() || !image.save(path, "PNG"))
-        showError({ErrorCode::WriteFailed, "Writing the picture",
-                   image.isNull() ? "nothing is shown yet" : "the file could not be written",
-                   image.isNull() ? "Open a painting first" : "Choose another folder", path.toStdString()});
-    else
-        messages()->success(tr("Exported to %1.").arg(QFileInfo(path).fileName()));
+    const auto work = [painting = mPainting.sharedPainting(), options, camera = mView->camera().frame(),
+                       seconds = mView->seconds(), path](const JobControl &control) -> Result<QSize> {
+        const Result<Image> image = makeFrames(painting, options)->frame({seconds, {}}, camera, control);
+        if (!image)
+            return image.error();
+        const Result<std::vector<std::byte>> png = encodePng(*image);
+        if (!png)
+            return png.error();
+        if (const Result<void> written = writeFileAtomically(enginePath(path), *png, "Writing the picture");
+            !written)
+            return written.error();
+        return QSize(image->width, image->height);
+    };
+    jobs().start<QSize>(
+        {QStringLiteral("picture:") + path, tr("Exporting %1").arg(QFileInfo(path).fileName())}, this, work,
+        [this, path](Result<QSize> size) {
+            if (!size)
+                showError(size.error());
+            else
+                messages()->success(tr("Exported to %1, %2 x %3 pixels.")
+                                        .arg(QFileInfo(path).fileName())
+                                        .arg(size->width())
+                                        .arg(size->height()));
+        });
 }
 
 void PainterWindow::chooseFilm()

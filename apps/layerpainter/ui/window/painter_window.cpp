@@ -4,6 +4,7 @@
 #include "document/settings/pressure_curve.h"
 #include "layerpainter/document/default_view.h"
 #include "layerpainter/film/film_plan.h"
+#include "layerpainter/ui/panels/motion_tracks.h"
 #include "painting/blend/blend.h"
 #include "widgets/controls/folding_section.h"
 #include "widgets/pages/tablet_page.h"
@@ -90,6 +91,7 @@ void PainterWindow::connectParts()
             [this](const Error &error) { messages()->show(error); });
     connect(mView, &PaintingView::graphicsFailed, this, [this](const Error &error) { showError(error); });
     connect(mView, &PaintingView::pointerMoved, this, &PainterWindow::showPointerText);
+    connect(this, &MainWindowShell::helpRequested, this, &PainterWindow::openManual);
     connect(this, &MainWindowShell::filesDropped, this, &PainterWindow::takeDropped);
     mInspectTool.setAsk([this](const QPointF &position) { showColoursAt(position); });
     connect(mView, &PaintingView::viewMoved, mColourList, &QWidget::hide);
@@ -118,6 +120,7 @@ void PainterWindow::connectParts()
 void PainterWindow::setActiveLayer(LayerId layer)
 {
     mBrush.layer = layer;
+    mMotion->tracks().setCurrentLayer(layer);
     setHint(mToolActions && mToolActions->checkedAction() ? mToolActions->checkedAction()->statusTip()
                                                           : QString());
 }

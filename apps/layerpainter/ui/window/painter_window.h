@@ -18,6 +18,7 @@ class QActionGroup;
 namespace ductus {
 
 struct FilmChoice;
+struct FrameOptions;
 
 enum class PainterTool { Orbit, Select, Move, Paint, Erase, Gradient, Inspect };
 
@@ -47,8 +48,8 @@ public:
     void importPath(const QString &path);
     void save();
     void saveAs();
-    /// Writes without a dialog.
-    void exportPicture(const QString &path);
+    /// What the canvas shows, drawn anew in the background: as large as \a options say.
+    void exportPicture(const QString &path, const FrameOptions &options);
     /// In the background; what is written or why not is told by a message.
     void exportFilm(const QString &path, const FilmChoice &choice);
     void exportMesh(const QString &path);
@@ -84,6 +85,7 @@ private:
     void showPointerText(const QPointF &position);
     void showColoursAt(const QPointF &position);
     void setMotionShown(bool shown);
+    void openManual(const QString &topic);
     void escape();
 
     PaintingDocument mPainting;

@@ -4,14 +4,15 @@
 
 #include "layerpainter/ui/panels/mask_list.h"
 #include "layerpainter/ui/window/film_dialog.h"
+#include "layerpainter/ui/window/picture_dialog.h"
 #include "widgets/shell/message_bar.h"
 
 #include <QTemporaryDir>
 #include <QToolButton>
 #include <QtTest>
-#include <utility>
 #include <ctime>
 #include <numbers>
+#include <utility>
 
 using namespace ductus;
 
@@ -435,8 +436,28 @@ void PainterWindowTest::startsAnEmptyPainting()
 void PainterWindowTest::exportsAPicture()
 {
     const QString path = mApp->folder.filePath("p.png");
-    mApp->window->exportPicture(path);
-    QVERIFY(QImage(path).width() > 300);
+    FrameOptions options;
+    options.width = 320;
+    options.height = 200;
+    options.transparentBackground = true;
+    mApp->window->exportPicture(path, options);
+    QVERIFY(mApp->jobs.waitForAll(120'000));
+    const QImage picture(path);
+    QCOMPARE(picture.size(), QSize(320, 200));
+    bool isClear = false, isPainted = false;
+    for (int y = 0; y < picture.height(); ++y)
+        for (int x = 0; x < picture.width(); ++x) {
+            isClear |= qAlpha(picture.pixel(x, y)) == 0;
+            isPainted |= qAlpha(picture.pixel(x, y)) == 255;
+        }
+    QVERIFY(isPainted);
+    QVERIFY(isClear);
+    PictureDialog dialog(mApp->window->view().size());
+    dialog.show();
+    QCOMPARE(dialog.choice().width, 2 * mApp->window->view().width());
+    if (const QString to = qEnvironmentVariable("DUCTUS_SHOTS"); !to.isEmpty())
+        dialog.grab().save(to + "/07-picture.png");
+    dialog.close();
     for (const char *sample : {"forest-path", "plane-over-clouds"}) {
         mApp->window->painting().reset();
         QVERIFY(mApp->open(QLatin1String(sample)));
@@ -468,12 +489,15 @@ void PainterWindowTest::playsTheMotionAndKeepsViews()
     PaintingView &view = window.view();
     QVERIFY(window.motion().isVisible());
     QCOMPARE(view.seconds(), 0.0);
-    // The timeline has just come and the canvas gives way to it: not before it has is there a picture to return to.
+    // The timeline has just come and the canvas gives way to it: not before it has is there a picture to
+    // return to.
     QSize size;
-    QVERIFY(QTest::qWaitFor([&] {
-        const QSize last = std::exchange(size, view.size());
-        return last == size;
-    }, 5'000));
+    QVERIFY(QTest::qWaitFor(
+        [&] {
+            const QSize last = std::exchange(size, view.size());
+            return last == size;
+        },
+        5'000));
     const QImage start = view.picture();
     mApp->press(Qt::Key_Space);
     QVERIFY(window.motion().isPlaying());
