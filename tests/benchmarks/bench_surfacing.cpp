@@ -21,7 +21,7 @@ struct Arguments
 {
     bool quick = false;
     bool help = false;
-    std::string only, json;
+    std::string only, json, pictures;
     std::vector<std::string> solids;
     int runs = 0;
     int seed = 1;
@@ -30,10 +30,11 @@ struct Arguments
 void printUsage(std::ostream &out)
 {
     out << "usage: bench_surfacing [--quick] [--only SECTION] [--solids A,B] [--runs N] [--seed N] [--json "
-           "FILE]\n"
+           "FILE] [--pictures DIR]\n"
            "  --quick   one segmentation run and fewer cases; leaves out the sections marked *\n"
            "  --solids  only these, where a section goes through the solids\n"
            "  --runs    of the segmentation (the best counts)\n"
+           "  --pictures  a contact sheet of each of the sweeps\n"
            "sections:\n";
     for (const Section &section : allSections())
         out << "  " << section.name << (section.inQuick ? "" : "*")
@@ -67,8 +68,8 @@ std::optional<std::string> parse(int argc, char **argv, Arguments &arguments)
                              [&](const Section &s) { return s.isMeantBy(value); }))
                 return "there is no section '" + value + "'";
             arguments.only = value;
-        } else if (name == "--json") {
-            arguments.json = value;
+        } else if (name == "--json" || name == "--pictures") {
+            (name == "--json" ? arguments.json : arguments.pictures) = value;
         } else if (name == "--solids") {
             std::istringstream list(value);
             for (std::string id; std::getline(list, id, ',');) {
@@ -116,10 +117,16 @@ int main(int argc, char **argv)
                   << ": Writing the report failed: there is no such folder\n";
         return 1;
     }
+    std::error_code failure;
+    if (!arguments.pictures.empty() && !std::filesystem::is_directory(arguments.pictures, failure)) {
+        std::cerr << "bench_surfacing: " << arguments.pictures
+                  << ": Writing the pictures failed: there is no such folder\n";
+        return 1;
+    }
     const int runs = arguments.runs > 0 ? arguments.runs : arguments.quick ? 1 : 0;
     const BenchmarkContext context{
-        std::cout,         arguments.quick, arguments.solids, runs, std::uint64_t(arguments.seed),
-        DUCTUS_SHARED_DATA};
+        std::cout,          arguments.quick,   arguments.solids, runs, std::uint64_t(arguments.seed),
+        DUCTUS_SHARED_DATA, arguments.pictures};
     nlohmann::ordered_json report;
     int failures = 0;
     for (const Section &section : allSections()) {

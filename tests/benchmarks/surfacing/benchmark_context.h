@@ -18,6 +18,7 @@ struct BenchmarkContext
     int runs = 0;                    // of the segmentation; 0: the pipeline's own number, 1 in quick
     std::uint64_t seed = 1;          // of the segmentation
     std::filesystem::path sharedData;
+    std::filesystem::path pictures = {}; // a folder for contact sheets of the sweeps; empty: none
 
     bool wants(const std::string &solidId) const;
 };

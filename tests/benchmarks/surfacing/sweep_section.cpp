@@ -3,6 +3,7 @@
 // (III.10).
 #include "benchmarks/report/table.h"
 #include "benchmarks/surfacing/benchmark_context.h"
+#include "benchmarks/surfacing/contact_sheet.h"
 #include "benchmarks/surfacing/swept_solids.h"
 #include "benchmarks/surfacing/truth_scores.h"
 #include "surfacing/pipeline/surface_pipeline.h"
@@ -29,24 +30,38 @@ const std::vector<Column> columns{
     {"seconds", "all s", 6, 1},
 };
 
+// Where the cases of a sweep are told.
+struct Report
+{
+    Table &table;
+    ContactSheet &sheet;
+
+    void fail(const std::string &name, const Error &error)
+    {
+        table.addFailure(name, error.message());
+        sheet.addFailure(name);
+    }
+};
+
 void measure(const std::string &name, const Solid &solid, const SketchSynthesisOptions &hand,
-             const SurfaceOptions &options, Table &table)
+             const SurfaceOptions &options, Report report)
 {
     const SyntheticSketch sketch = synthesizeSketch(solid, hand);
     const Result<SurfaceResult> result = surfaceSketch(sketch.strokes, std::nullopt, options, JobControl());
     if (!result)
-        return table.addFailure(name, result.error().message());
+        return report.fail(name, result.error());
     const Result<TruthScores> scores =
         scoreAgainstTruth(result->mesh, result->triangleRegions, sketch, 10000);
     if (!scores)
-        return table.addFailure(name, scores.error().message());
+        return report.fail(name, scores.error());
+    report.sheet.add(name, result->mesh, result->triangleRegions, sketch.strokes);
     // Eq. III.2 is the mean square distance in epsilons.
     const double residual = 100.0 * options.segmentation.epsilon * std::sqrt(result->segmentation.fidelity);
-    table.add({name, double(sketch.strokes.strokes.size()), double(result->proxy.mesh.vertexCount()),
-               double(result->segmentation.models.size()), double(scores->regions), double(solid.faceCount()),
-               residual, scores->resultToTruth.median, scores->resultToTruth.p95,
-               scores->truthToResult.median, scores->creaseRecall, scores->creasePrecision,
-               result->timings.total});
+    report.table.add({name, double(sketch.strokes.strokes.size()), double(result->proxy.mesh.vertexCount()),
+                      double(result->segmentation.models.size()), double(scores->regions),
+                      double(solid.faceCount()), residual, scores->resultToTruth.median,
+                      scores->resultToTruth.p95, scores->truthToResult.median, scores->creaseRecall,
+                      scores->creasePrecision, result->timings.total});
 }
 
 std::string labelled(const Solid &solid, const char *what, double value)
@@ -57,7 +72,7 @@ std::string labelled(const Solid &solid, const char *what, double value)
 }
 
 // One habit at a time, the others as the default hand has them.
-void sweepHabits(const Solid &solid, const SurfaceOptions &options, Table &table)
+void sweepHabits(const Solid &solid, const SurfaceOptions &options, Report report)
 {
     struct Habit
     {
@@ -78,26 +93,26 @@ void sweepHabits(const Solid &solid, const SurfaceOptions &options, Table &table
             hand.*habit.member = value;
             if (habit.member == &SketchSynthesisOptions::gapLength)
                 hand.gapProbability = 0.5;
-            measure(labelled(solid, habit.name, value), solid, hand, options, table);
+            measure(labelled(solid, habit.name, value), solid, hand, options, report);
         }
 }
 
-void sweepParameters(const Solid &solid, const SurfaceOptions &base, Table &table)
+void sweepParameters(const Solid &solid, const SurfaceOptions &base, Report report)
 {
     for (const double simplicity : {0.0, 0.001, 0.01, 0.03, 0.1}) {
         SurfaceOptions options = base;
         options.segmentation.simplicity = simplicity;
-        measure(labelled(solid, "w_simplicity", simplicity), solid, {}, options, table);
+        measure(labelled(solid, "w_simplicity", simplicity), solid, {}, options, report);
     }
     for (const double epsilon : {0.0025, 0.005, 0.01, 0.02, 0.04}) {
         SurfaceOptions options = base;
         options.segmentation.epsilon = epsilon;
-        measure(labelled(solid, "epsilon", epsilon), solid, {}, options, table);
+        measure(labelled(solid, "epsilon", epsilon), solid, {}, options, report);
     }
     for (const int vertices : {1500, 3000, 6000, 12000, 24000}) {
         SurfaceOptions options = base;
         options.proxy.targetVertices = vertices;
-        measure(labelled(solid, "proxy vertices", vertices), solid, {}, options, table);
+        measure(labelled(solid, "proxy vertices", vertices), solid, {}, options, report);
     }
 }
 
@@ -110,14 +125,15 @@ SurfaceOptions baseOptions(const BenchmarkContext &context)
     return options;
 }
 
-using Sweep = void (*)(const Solid &, const SurfaceOptions &, Table &);
+using Sweep = void (*)(const Solid &, const SurfaceOptions &, Report);
 
-SectionReport sweep(const BenchmarkContext &context, const std::string &title, Sweep run)
+SectionReport sweep(const BenchmarkContext &context, const char *name, const std::string &title, Sweep run)
 {
     Table table(context.out, title, columns);
+    ContactSheet sheet(context, name);
     for (const Solid &solid : sweptSolids(context))
-        run(solid, baseOptions(context), table);
-    return {table.json(), table.failures()};
+        run(solid, baseOptions(context), {table, sheet});
+    return {table.json(), table.failures() + sheet.write()};
 }
 
 } // namespace
@@ -133,13 +149,14 @@ std::vector<Solid> sweptSolids(const BenchmarkContext &context)
 
 SectionReport runHabitSweeps(const BenchmarkContext &context)
 {
-    return sweep(context, "SWEEPS: drawing habits, one at a time (distances in % of the diagonal)",
-                 sweepHabits);
+    return sweep(context, "sweeps-habits",
+                 "SWEEPS: drawing habits, one at a time (distances in % of the diagonal)", sweepHabits);
 }
 
 SectionReport runParameterSweeps(const BenchmarkContext &context)
 {
-    return sweep(context, "SWEEPS: parameters, drawn by the default hand (distances in % of the diagonal)",
+    return sweep(context, "sweeps-parameters",
+                 "SWEEPS: parameters, drawn by the default hand (distances in % of the diagonal)",
                  sweepParameters);
 }
 
