@@ -260,7 +260,6 @@ Shot trueShot(const ClipScene &scene, int cellSize)
     for (int t = 0; t < scene.frameCount; ++t) {
         shot.cameras.push_back(scene.camera(t));
         shot.depths.push_back(depthsOf(scene, t, cellSize));
-        shot.features.push_back(featuresOf(renderedImage(scene, t)));
         if (t + 1 < scene.frameCount) {
             shot.forward.push_back(flowOf(scene, t, t + 1, cellSize));
             shot.backward.push_back(flowOf(scene, t + 1, t, cellSize));

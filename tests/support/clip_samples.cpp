@@ -118,8 +118,9 @@ Result<void> writeFilm(const SampleClip &sample, const std::filesystem::path &pa
 }
 
 // Every second cell of every second row: on what moves so evenly nothing is lost.
-FlowField halved(const FlowField &flow)
+CompactFlow halved(const CompactFlow &compact)
 {
+    const FlowField flow = expanded(compact);
     FlowField result{flow.width / 2, flow.height / 2, 2.0 * flow.cellSize, {}, {}};
     for (int y = 0; y < result.height; ++y)
         for (int x = 0; x < result.width; ++x) {
@@ -133,11 +134,10 @@ FlowField halved(const FlowField &flow)
 // What is needed to follow and to hide; the rest is made again by an analysis, and a sample is to be small.
 Shot bundled(Shot shot)
 {
-    for (FlowField &flow : shot.forward)
+    for (CompactFlow &flow : shot.forward)
         flow = halved(flow);
-    for (FlowField &flow : shot.backward)
+    for (CompactFlow &flow : shot.backward)
         flow = halved(flow);
-    shot.features.assign(shot.features.size(), FeatureGrid{1, 1, 256, 2, {0, 0}});
     shot.longFlows = {};
     shot.pictures.clear();
     return shot;

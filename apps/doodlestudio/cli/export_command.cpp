@@ -2,8 +2,8 @@
 
 #include "cli/batch_command.h"
 #include "cli/output_files.h"
-#include "doodlestudio/cli/open_doodle.h"
 #include "doodlestudio/cli/timeline_file.h"
+#include "doodlestudio/cli/whole_shot.h"
 #include "doodling/export/export_film.h"
 
 #include <cstdio>
@@ -59,9 +59,11 @@ ExitCode run(const ExportArguments &a, TerminalJob &job)
     Result<std::unique_ptr<Clip>> clip = openItsClip(*doodle, a.clip, control.part(0.0, 0.05));
     if (!clip)
         return failed(job, clip.error());
-    const Result<ExportReport> report =
-        exportFilm(**clip, clipPath, *doodle->content->shot(), *doodle->content->scene(), a.what, a.output,
-                   control.part(0.05, 1.0));
+    const Result<std::shared_ptr<const Shot>> shot = wholeShot(*doodle, a.clip, control.part(0.05, 0.1));
+    if (!shot)
+        return failed(job, shot.error());
+    const Result<ExportReport> report = exportFilm(**clip, clipPath, **shot, *doodle->content->scene(),
+                                                   a.what, a.output, control.part(0.1, 1.0));
     if (!report)
         return failed(job, report.error());
     job.finishLine();

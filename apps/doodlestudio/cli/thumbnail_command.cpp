@@ -2,7 +2,7 @@
 
 #include "cli/batch_command.h"
 #include "cli/output_files.h"
-#include "doodlestudio/cli/open_doodle.h"
+#include "doodlestudio/cli/whole_shot.h"
 #include "doodling/compositing/doodle_painter.h"
 #include "doodling/export/export_film.h"
 #include "formats/png_file.h"
@@ -29,9 +29,11 @@ Result<Image> picture(const OpenedDoodle &doodle, const std::filesystem::path &c
     const Result<Image> decoded = (*clip)->frame(shown, lines);
     if (!decoded)
         return decoded.error();
-    const Shot &shot = *doodle.content->shot();
+    // A picture is wanted soon: what is not in the cache is not found again for it.
+    const std::shared_ptr<const Shot> whole = availableShot(doodle, control.part(0.3, 0.4));
+    const Shot &shot = *whole;
     const DoodleScene &scene = *doodle.content->scene();
-    const Result<std::vector<CanvasTrack>> tracks = tracksOf(shot, scene, control.part(0.3, 0.9));
+    const Result<std::vector<CanvasTrack>> tracks = tracksOf(shot, scene, control.part(0.4, 0.9));
     if (!tracks)
         return tracks.error();
     return DoodlePainter().composited({shot, scene, *tracks, shown}, *decoded);

@@ -3,9 +3,8 @@
 #include "cli/batch_command.h"
 #include "cli/output_files.h"
 #include "doodlestudio/cli/track_queries.h"
-#include "doodling/storage/doodle_content.h"
+#include "doodlestudio/cli/whole_shot.h"
 #include "formats/atomic_file.h"
-#include "project/project_reader.h"
 
 #include <span>
 
@@ -45,21 +44,19 @@ Result<QueryAnswer> answer(const TrackQuery &query, const Shot &shot, const JobC
 }
 
 Result<std::string> tracked(const std::filesystem::path &projectFile, const std::filesystem::path &queryFile,
-                            const JobControl &control)
+                            const std::filesystem::path &clip, const JobControl &control)
 {
     control.progress(0.0, "Opening the project");
-    ProjectReadOptions options;
-    options.kinds = {doodleKind()};
-    const Result<Project> project = openProject(projectFile, options);
-    if (!project)
-        return project.error();
-    const Result<std::shared_ptr<const DoodleContent>> content = doodleOf(*project);
-    if (!content)
-        return content.error();
-    const Shot &shot = *(*content)->shot();
+    const Result<OpenedDoodle> doodle = openDoodle(projectFile);
+    if (!doodle)
+        return doodle.error();
     const Result<std::string> text = readWholeFile(queryFile, largestQueryFile, "Reading the queries");
     if (!text)
         return text.error();
+    const Result<std::shared_ptr<const Shot>> whole = wholeShot(*doodle, clip, control.part(0.0, 0.1));
+    if (!whole)
+        return whole.error();
+    const Shot &shot = **whole;
     const Result<std::vector<TrackQuery>> queries = parseQueries(*text, queryFile.filename().string(), shot);
     if (!queries)
         return queries.error();
@@ -75,6 +72,7 @@ Result<std::string> tracked(const std::filesystem::path &projectFile, const std:
             return error.isCancelled() ? one.error() : error;
         }
         answers.push_back(std::move(*one));
+        shot.forgetPages(0, shot.frameCount()); // the next point is elsewhere
     }
     return answersText(answers, shot);
 }
@@ -94,7 +92,12 @@ ExitCode runTrackCommand(const QStringList &arguments)
                                     QStringLiteral("T.json"));
     parser.addPositional(QStringLiteral("P.ductus"), QStringLiteral("The project."));
     parser.addOption(queries);
+    const QCommandLineOption clip(QStringLiteral("clip"),
+                                  QStringLiteral("Where the clip is now, if it was moved. It is only read if "
+                                                 "the cache was deleted."),
+                                  QStringLiteral("CLIP"));
     parser.addOption(output);
+    parser.addOption(clip);
     if (const std::optional<ExitCode> end = parser.parse(arguments, 1, 1))
         return *end;
     const std::filesystem::path target = parser.path(output);
@@ -106,7 +109,8 @@ ExitCode runTrackCommand(const QStringList &arguments)
     TerminalJob job(parser.isQuiet());
     if (Result<void> writable = checkWritable(target, writingTracks); !writable)
         return failed(job, writable.error());
-    const Result<std::string> text = tracked(parser.positionalPath(0), parser.path(queries), job.control());
+    const Result<std::string> text =
+        tracked(parser.positionalPath(0), parser.path(queries), parser.path(clip), job.control());
     if (!text)
         return failed(job, text.error());
     OutputFiles files;

@@ -144,17 +144,35 @@ void DoodleDocument::show(std::shared_ptr<const DoodleScene> scene)
     emit changed(SceneChanged());
 }
 
-void DoodleDocument::setShot(std::shared_ptr<const Shot> shot)
+void DoodleDocument::setShot(std::shared_ptr<const Shot> shot, std::string digest)
 {
+    const bool isAsSaved = leftShot() != nullptr && mClip.digest == digest;
     mShot = std::move(shot);
-    touch();
+    mClip.digest = std::move(digest);
+    if (!isAsSaved)
+        touch();
     emit changed(ShotChanged());
+}
+
+std::shared_ptr<const Shot> DoodleDocument::leftShot() const
+{
+    return !mShot && mContent && mContent->shot()->isLeftInCache ? mContent->shot() : nullptr;
+}
+
+void DoodleDocument::setPacksAnalysis(bool packs)
+{
+    if (packs == mPacksAnalysis)
+        return;
+    mPacksAnalysis = packs;
+    touch();
 }
 
 std::shared_ptr<const Shot> DoodleDocument::sceneShot() const
 {
     if (mShot)
         return mShot;
+    if (std::shared_ptr<const Shot> left = leftShot())
+        return left;
     if (!mPlainShot || mPlainShot->frameCount() != mClip.frameCount || mPlainShot->clipWidth != mClip.width)
         mPlainShot = std::make_shared<const Shot>(plainShot(mClip));
     return mPlainShot;
@@ -171,7 +189,8 @@ Result<void> DoodleDocument::readFrom(const Project &project)
             mDocumentId = document.id;
     mClip = mContent->clip();
     // Saved before the analysis was done: cameras and nothing else.
-    mShot = mContent->shot()->features.empty() ? nullptr : mContent->shot();
+    mShot = mContent->shot()->isAnalysed() ? mContent->shot() : nullptr;
+    mPacksAnalysis = mContent->packsAnalysis();
     mPlainShot = nullptr;
     mScene = mContent->scene();
     mPicture = {};
@@ -183,8 +202,9 @@ void DoodleDocument::writeTo(Project &project) const
 {
     ClipReference clip = mClip;
     clip.path = seenFrom(mSnapshotFolder, clipPath()).toStdString();
-    auto content = std::make_shared<const DoodleContent>(
-        std::move(clip), sceneShot(), mContent ? mContent->unknown() : UnknownMembers(), mScene);
+    auto content = std::make_shared<const DoodleContent>(std::move(clip), sceneShot(),
+                                                         mContent ? mContent->unknown() : UnknownMembers(),
+                                                         mScene, mPacksAnalysis);
     if (ProjectDocument *document = project.find(mDocumentId)) {
         document->content = std::move(content);
         document->name = displayName().toStdString();
@@ -202,6 +222,7 @@ void DoodleDocument::clear()
     mScene = std::make_shared<const DoodleScene>();
     mClip = {};
     mShot = nullptr;
+    mPacksAnalysis = false;
     mPlainShot = nullptr;
     mContent = nullptr;
     mDocumentId = Uuid::create();

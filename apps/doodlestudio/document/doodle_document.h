@@ -39,14 +39,22 @@ public:
 
     /// A new, unsaved document on the clip at \a path.
     void start(const QString &path, ClipReference clip);
-    /// A sample: \a project as an unsaved document called \a name, its clip at \a path. Errors: those of load().
+    /// A sample: \a project as an unsaved document called \a name, its clip at \a path. Errors: those of
+    /// load().
     Result<void> startSample(Project project, const QString &path, const QString &name);
     /// The clip is elsewhere now. No edit: the file is changed at the next save.
     void relocateClip(const QString &path);
 
     /// What is known of the scene; null until the analysis was done.
     std::shared_ptr<const Shot> shot() const { return mShot; }
-    void setShot(std::shared_ptr<const Shot> shot);
+    /// \a digest: clipDigest of the clip, empty if it is not known. What a saved project left in the cache
+    /// and was found there again is no edit.
+    void setShot(std::shared_ptr<const Shot> shot, std::string digest = {});
+    /// The project's cameras while motion and depth are still in the cache; null at all other times.
+    std::shared_ptr<const Shot> leftShot() const;
+    /// Motion and depth are saved in the project as well, so that it can be given away.
+    bool packsAnalysis() const { return mPacksAnalysis; }
+    void setPacksAnalysis(bool packs);
     /// The analysis if there is one, else a camera that stands still: enough to place and draw.
     std::shared_ptr<const Shot> sceneShot() const;
 
@@ -85,6 +93,7 @@ private:
     ClipReference mClip;                       // the path: absolute, or as seen from the project's folder
     std::shared_ptr<const DoodleScene> mScene; // never null
     std::shared_ptr<const Shot> mShot;
+    bool mPacksAnalysis = false;
     mutable std::shared_ptr<const Shot> mPlainShot;
     std::shared_ptr<const DoodleContent> mContent; // as read; what is unknown
     Uuid mDocumentId;

@@ -44,6 +44,8 @@ private slots:
     void initTestCase();
     void everyFrameIsTheOneAskedFor_data();
     void everyFrameIsTheOneAskedFor();
+    void coloursAreThoseTheFilmSays_data();
+    void coloursAreThoseTheFilmSays();
     void rotationIsApplied_data();
     void rotationIsApplied();
     void timesOfUnevenFrames();
@@ -123,6 +125,39 @@ void ClipTest::everyFrameIsTheOneAskedFor()
     }
     QVERIFY(!(*clip)->frame(30).ok());
     QVERIFY(!(*clip)->frame(-1).ok());
+}
+
+void ClipTest::coloursAreThoseTheFilmSays_data()
+{
+    QTest::addColumn<QString>("matrix");
+    QTest::addColumn<QString>("range");
+    for (const char *matrix : {"bt709", "smpte170m", "bt470bg", "bt2020nc"})
+        for (const char *range : {"tv", "pc"})
+            QTest::addRow("%s %s", matrix, range) << matrix << range;
+}
+
+void ClipTest::coloursAreThoseTheFilmSays()
+{
+    QFETCH(QString, matrix);
+    QFETCH(QString, range);
+    const QString scaled = matrix == QLatin1String("bt2020nc") ? QStringLiteral("bt2020") : matrix;
+    const QString name = matrix + range + ".mkv";
+    make(name,
+         {"-vf", QString("scale=out_color_matrix=%1:out_range=%2:sws_flags=accurate_rnd").arg(scaled, range),
+          "-c:v", "libx264", "-crf", "2", "-pix_fmt", "yuv444p", "-colorspace", matrix, "-color_range",
+          range},
+         2);
+    auto clip = openClip(at(name), {});
+    QVERIFY(clip.ok());
+    const Result<Image> frame = (*clip)->frame(1);
+    QVERIFY(frame.ok());
+    const Rgba red = frame->at(4, 24), grey = frame->at(40, 24);
+    const Rgba wantedRed{200, 20, 20, 255}, wantedGrey{27, 27, 27, 255};
+    for (std::size_t c = 0; c < 3; ++c) {
+        QVERIFY2(std::abs(int(red[c]) - int(wantedRed[c])) <= 4,
+                 qPrintable(QString("red %1 %2 %3").arg(red[0]).arg(red[1]).arg(red[2])));
+        QVERIFY(std::abs(int(grey[c]) - int(wantedGrey[c])) <= 3);
+    }
 }
 
 void ClipTest::rotationIsApplied_data()

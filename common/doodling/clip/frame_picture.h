@@ -1,4 +1,5 @@
-// From a decoded frame to a picture: scaled, in 8-bit RGB, upright.
+// From a decoded frame to a picture: scaled, in 8-bit RGB, upright. Colours as the film's matrix (BT.601,
+// 709, 2020) and range say.
 #pragma once
 
 #include "base/result.h"
@@ -14,7 +15,10 @@ public:
     Result<Image> make(const AVFrame &frame, int rotationDegrees, int mostLines);
 
 private:
-    AvOwned<SwsContext> mScaler; // kept while size and format stay
+    void setColours(const AVFrame &frame);
+
+    AvOwned<SwsContext> mScaler;   // kept while size and format stay
+    int mMatrix = -1, mRange = -1; // what the scaler is set to
 };
 
 } // namespace ductus

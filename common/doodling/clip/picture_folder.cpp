@@ -10,48 +10,6 @@ namespace {
 
 constexpr double picturesPerSecond = 24.0; // pictures do not say; the rate of film
 
-bool isPicture(const std::filesystem::path &path)
-{
-    std::string ending = path.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](unsigned char c) { return std::tolower(c); });
-    return ending == ".jpg" || ending == ".jpeg" || ending == ".png" || ending == ".bmp" ||
-           ending == ".tif" || ending == ".tiff" || ending == ".webp";
-}
-
-// frame9 before frame10.
-bool inNameOrder(const std::filesystem::path &left, const std::filesystem::path &right)
-{
-    const std::string a = left.filename().string(), b = right.filename().string();
-    const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
-    std::size_t i = 0, j = 0;
-    while (i < a.size() && j < b.size()) {
-        if (isDigit(a[i]) && isDigit(b[j])) {
-            const auto endOf = [&](const std::string &s, std::size_t k) {
-                while (k < s.size() && isDigit(s[k]))
-                    ++k;
-                return k;
-            };
-            const std::size_t endA = endOf(a, i), endB = endOf(b, j);
-            while (i + 1 < endA && a[i] == '0')
-                ++i;
-            while (j + 1 < endB && b[j] == '0')
-                ++j;
-            if (endA - i != endB - j)
-                return endA - i < endB - j;
-            for (; i < endA; ++i, ++j)
-                if (a[i] != b[j])
-                    return a[i] < b[j];
-            continue;
-        }
-        if (a[i] != b[j])
-            return a[i] < b[j];
-        ++i;
-        ++j;
-    }
-    return a.size() - i != b.size() - j ? a.size() - i < b.size() - j : a < b;
-}
-
 class PictureFolder : public Clip
 {
 public:
@@ -90,12 +48,53 @@ private:
 
 } // namespace
 
+bool isBeforeInNameOrder(const std::filesystem::path &left, const std::filesystem::path &right)
+{
+    const std::string a = left.filename().string(), b = right.filename().string();
+    const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
+    std::size_t i = 0, j = 0;
+    while (i < a.size() && j < b.size()) {
+        if (isDigit(a[i]) && isDigit(b[j])) {
+            const auto endOf = [&](const std::string &s, std::size_t k) {
+                while (k < s.size() && isDigit(s[k]))
+                    ++k;
+                return k;
+            };
+            const std::size_t endA = endOf(a, i), endB = endOf(b, j);
+            while (i + 1 < endA && a[i] == '0')
+                ++i;
+            while (j + 1 < endB && b[j] == '0')
+                ++j;
+            if (endA - i != endB - j)
+                return endA - i < endB - j;
+            for (; i < endA; ++i, ++j)
+                if (a[i] != b[j])
+                    return a[i] < b[j];
+            continue;
+        }
+        if (a[i] != b[j])
+            return a[i] < b[j];
+        ++i;
+        ++j;
+    }
+    return a.size() - i != b.size() - j ? a.size() - i < b.size() - j : a < b;
+}
+
+bool isPictureFile(const std::filesystem::path &path)
+{
+    std::string ending = path.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return std::tolower(c); });
+    return ending == ".jpg" || ending == ".jpeg" || ending == ".png" || ending == ".bmp" ||
+           ending == ".tif" || ending == ".tiff" || ending == ".webp";
+}
+
 Result<std::unique_ptr<Clip>> openPictureFolder(const std::filesystem::path &path, const JobControl &)
 {
     std::error_code failure;
     std::vector<std::filesystem::path> files;
     for (const auto &entry : std::filesystem::directory_iterator(path, failure))
-        if (isPicture(entry.path()))
+        if (isPictureFile(entry.path()))
             files.push_back(entry.path());
     if (failure)
         return Error{ErrorCode::PermissionDenied, "Opening the clip", failure.message(),
@@ -103,7 +102,7 @@ Result<std::unique_ptr<Clip>> openPictureFolder(const std::filesystem::path &pat
     if (files.empty())
         return Error{ErrorCode::Unsupported, "Opening the clip", "there are no pictures in this folder",
                      "Choose a video, or a folder of JPEG or PNG pictures", path.string()};
-    std::sort(files.begin(), files.end(), inNameOrder);
+    std::sort(files.begin(), files.end(), isBeforeInNameOrder);
     Result<VideoStream> first = VideoStream::open(files.front());
     if (!first)
         return first.error();

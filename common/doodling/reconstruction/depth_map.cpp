@@ -52,11 +52,13 @@ DepthMap depthMapOf(int width, int height, double cellSize, std::span<const floa
         if (std::isfinite(disparity))
             most = std::max(most, disparity);
     map.mostDisparity = most > 0.0f ? double(most) : 1.0;
-    map.disparities.reserve(disparities.size());
+    std::vector<std::uint16_t> packed;
+    packed.reserve(disparities.size());
     for (float disparity : disparities) {
         const double steps = std::isfinite(disparity) ? disparity / map.mostDisparity * 65535.0 : 1.0;
-        map.disparities.push_back(std::uint16_t(std::clamp(std::round(steps), 1.0, 65535.0)));
+        packed.push_back(std::uint16_t(std::clamp(std::round(steps), 1.0, 65535.0)));
     }
+    map.disparities = std::move(packed);
     return map;
 }
 

@@ -2,6 +2,8 @@
 // field's, in 16 bits of disparity (1 / depth): as fine near the camera as is seen, and infinity is a number.
 #pragma once
 
+#include "doodling/cache/shared_array.h"
+
 #include <Eigen/Core>
 #include <cstdint>
 #include <span>
@@ -15,8 +17,8 @@ struct DepthMap
     int width = 0, height = 0;              // cells
     double cellSize = 1.0;                  // pixels of the picture
     double mostDisparity = 1.0;             // what 65535 stands for; 1 / scene unit
-    std::vector<std::uint16_t> disparities; // 0 is never stored: depths are finite
-    std::vector<std::uint8_t> objects;      // 0 stands still, else the number of what moves; none: all 0
+    SharedArray<std::uint16_t> disparities; // 0 is never stored: depths are finite
+    SharedArray<std::uint8_t> objects;      // 0 stands still, else the number of what moves; none: all 0
 
     bool isEmpty() const { return disparities.empty(); }
     /// Between cells by their four neighbours, across silhouettes the nearest cell's: what lies between two

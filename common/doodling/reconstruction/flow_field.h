@@ -7,6 +7,7 @@
 #include "imaging/image.h"
 
 #include <Eigen/Core>
+#include <memory>
 #include <vector>
 
 namespace ductus {
@@ -71,7 +72,23 @@ struct FlowPicture
 FlowPicture flowPictureOf(const Image &image);
 
 /// Dense inverse search [Kroeger 2016, OpenCV], started from the windows' rough motion wherever that fits
-/// better, in both directions between two pictures of one size.
+/// better, in both directions between two pictures of one size. Keeps its working memory from pair to pair;
+/// one thread at a time may use it.
+class FlowFinder
+{
+public:
+    FlowFinder();
+    ~FlowFinder();
+    FlowFinder(FlowFinder &&) noexcept;
+
+    FlowPair find(const FlowPicture &from, const FlowPicture &to, const FlowOptions &options = {});
+
+private:
+    struct State;
+    std::unique_ptr<State> mState;
+};
+
+/// The same for a single pair.
 FlowPair denseFlow(const FlowPicture &from, const FlowPicture &to, const FlowOptions &options = {});
 FlowPair denseFlow(const Image &from, const Image &to, const FlowOptions &options = {});
 

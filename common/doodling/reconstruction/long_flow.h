@@ -3,6 +3,7 @@
 // [Neoral 2024, multi-flow tracking].
 #pragma once
 
+#include "doodling/cache/shared_array.h"
 #include "doodling/reconstruction/flow_field.h"
 
 #include <cstdint>
@@ -10,15 +11,37 @@
 
 namespace ductus {
 
-/// A flow field in five bytes a cell.
+/// A flow field in five bytes a cell: what is kept of flow.
 struct CompactFlow
 {
+    static constexpr float stepsAPixel = 32.0f;
+
     int width = 0, height = 0; // cells
     double cellSize = 1.0;
-    std::vector<std::int16_t> motions;     // x, y in 1/32 pixel
-    std::vector<std::uint8_t> confidences; // of 255
+    SharedArray<std::int16_t> motions;     // x, y in 1/32 pixel
+    SharedArray<std::uint8_t> confidences; // of 255
 
+    CompactFlow() = default;
+    CompactFlow(const FlowField &flow);
+
+    bool isEmpty() const { return confidences.empty(); }
+    std::size_t cellCount() const { return confidences.size(); }
+    /// Between cells by their four neighbours; places outside count as the border. Pixels of the picture.
     MotionAt at(const Eigen::Vector2d &pixel) const;
+    Eigen::Vector2d motionAt(const Eigen::Vector2d &pixel) const { return at(pixel).motion; }
+
+    Eigen::Vector2f cellMotion(std::size_t cell) const
+    {
+        return {float(motions[2 * cell]) / stepsAPixel, float(motions[2 * cell + 1]) / stepsAPixel};
+    }
+    float cellConfidence(std::size_t cell) const { return float(confidences[cell]) / 255.0f; }
+    Eigen::Vector2d cellMiddle(std::size_t cell) const
+    {
+        return {(double(cell % std::size_t(width)) + 0.5) * cellSize,
+                (double(cell / std::size_t(width)) + 0.5) * cellSize};
+    }
+    /// The cell of a pixel; the nearest one for places outside.
+    std::size_t cellAt(const Eigen::Vector2d &pixel) const;
 };
 
 CompactFlow compacted(const FlowField &flow);

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
 
 namespace ductus {
 
@@ -19,17 +22,41 @@ constexpr int costOutside = 400;   // of a window that left the picture
 
 const std::uint8_t *windowAt(const Level &level, int x, int y)
 {
-    const int column = std::clamp(x, 0, level.width - 1), row = std::clamp(y, 0, level.height - 1);
-    return level.windows.data() + std::size_t(WindowPyramid::windowNumbers) *
-                                      (std::size_t(row) * std::size_t(level.width) + std::size_t(column));
+    return level.placeAt(std::clamp(x, 0, level.width - 1), std::clamp(y, 0, level.height - 1));
 }
 
-int differenceOf(const std::uint8_t *a, const std::uint8_t *b)
+// Sum of the differences of eight numbers each.
+#ifdef __SSE2__
+int differenceOfRow(const std::uint8_t *a, const std::uint8_t *b)
 {
+    constexpr std::ptrdiff_t step = WindowPyramid::placeStep * WindowPyramid::placeNumbers;
+    __m128i sum = _mm_setzero_si128();
+    for (std::ptrdiff_t place : {-step, std::ptrdiff_t(0), step})
+        sum = _mm_add_epi64(sum, _mm_sad_epu8(_mm_loadl_epi64(reinterpret_cast<const __m128i *>(a + place)),
+                                              _mm_loadl_epi64(reinterpret_cast<const __m128i *>(b + place))));
+    return _mm_cvtsi128_si32(sum);
+}
+#else
+int differenceOfRow(const std::uint8_t *a, const std::uint8_t *b)
+{
+    constexpr std::ptrdiff_t step = WindowPyramid::placeStep * WindowPyramid::placeNumbers;
     int sum = 0;
-    for (int i = 0; i < WindowPyramid::windowNumbers; ++i)
-        sum += std::abs(int(a[i]) - int(b[i]));
+    for (std::ptrdiff_t place : {-step, std::ptrdiff_t(0), step})
+        for (std::ptrdiff_t i = place; i < place + WindowPyramid::placeNumbers; ++i)
+            sum += std::abs(int(a[i]) - int(b[i]));
     return sum;
+}
+#endif
+
+// Between the windows around two places of levels whose rows are so many bytes apart.
+int differenceOf(const std::uint8_t *a, std::ptrdiff_t rowA, const std::uint8_t *b, std::ptrdiff_t rowB)
+{
+    return differenceOfRow(a - rowA, b - rowB) + differenceOfRow(a, b) + differenceOfRow(a + rowA, b + rowB);
+}
+
+std::ptrdiff_t windowRowBytes(const Level &level)
+{
+    return level.rowLength() * WindowPyramid::placeNumbers * WindowPyramid::placeStep;
 }
 
 // The same numbers on every machine, -1..1.
@@ -89,8 +116,8 @@ private:
         const bool isOutside =
             there < 0.0f || below < 0.0f || there >= float(to.width) || below >= float(to.height);
         return (isOutside ? costOutside : 0) +
-               differenceOf(windowAt(from, int(x), int(y)),
-                            windowAt(to, int(std::floor(there)), int(std::floor(below))));
+               differenceOf(windowAt(from, int(x), int(y)), windowRowBytes(from),
+                            windowAt(to, int(std::floor(there)), int(std::floor(below))), windowRowBytes(to));
     }
 
     void offer(int level, int seed, const Vector2f &motion)

@@ -15,14 +15,24 @@ namespace ductus {
 /// What the windows of a picture look like, at half its size and at each half of that.
 struct WindowPyramid
 {
+    static constexpr int placeNumbers = 8; // edges in four directions, lightness, colour
+    static constexpr int placeStep = 3;    // pixels of the level: a window is 3 x 3 places so far apart
     struct Level
     {
         int width = 0, height = 0;
-        std::vector<std::uint8_t> windows; // windowNumbers a pixel, row by row
+        // placeNumbers a pixel, row by row, with a border of placeStep pixels that repeats the edge.
+        std::vector<std::uint8_t> places;
+
+        /// The middle of the window of a pixel.
+        const std::uint8_t *placeAt(int x, int y) const
+        {
+            return places.data() + std::ptrdiff_t(placeNumbers) *
+                                       (std::ptrdiff_t(y + placeStep) * rowLength() + x + placeStep);
+        }
+        std::ptrdiff_t rowLength() const { return width + 2 * placeStep; } // pixels
     };
-    static constexpr int windowNumbers = 72; // 3 x 3 places, edges in four directions, lightness, colour
-    std::vector<Level> levels;               // finest first
-    int width = 0, height = 0;               // of the picture
+    std::vector<Level> levels; // finest first
+    int width = 0, height = 0; // of the picture
 };
 
 WindowPyramid windowPyramidOf(const Image &image);

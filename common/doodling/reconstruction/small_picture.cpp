@@ -56,16 +56,18 @@ SmallPicture smallPictureOf(const Image &image)
     SmallPicture picture;
     picture.width = half.width;
     picture.height = half.height;
-    picture.lightness.assign(light.datastart, light.dataend);
+    picture.lightness = std::vector<std::uint8_t>(light.datastart, light.dataend);
     picture.colourWidth = quarter.width;
     picture.colourHeight = quarter.height;
-    picture.colours.reserve(2 * small.total());
+    std::vector<std::uint8_t> colours;
+    colours.reserve(2 * small.total());
     for (int y = 0; y < small.rows; ++y)
         for (int x = 0; x < small.cols; ++x) {
             const cv::Vec3b &value = small.at<cv::Vec3b>(y, x);
-            picture.colours.push_back(value[1]);
-            picture.colours.push_back(value[2]);
+            colours.push_back(value[1]);
+            colours.push_back(value[2]);
         }
+    picture.colours = std::move(colours);
     return picture;
 }
 

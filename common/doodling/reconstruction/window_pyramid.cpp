@@ -10,8 +10,6 @@ namespace {
 
 constexpr int mostLevels = 5;
 constexpr int smallestSide = 24; // pixels of a level
-constexpr int numbersAPlace = 8;
-constexpr int placeStep = 3; // pixels of the level
 
 // Edges in units of the contrast around: the same in shade and sun.
 cv::Mat placesOf(const cv::Mat &lab)
@@ -51,20 +49,11 @@ cv::Mat placesOf(const cv::Mat &lab)
 
 WindowPyramid::Level levelOf(const cv::Mat &lab)
 {
-    const cv::Mat places = placesOf(lab);
-    WindowPyramid::Level level{places.cols, places.rows, {}};
-    level.windows.resize(places.total() * WindowPyramid::windowNumbers);
-    std::uint8_t *out = level.windows.data();
-    for (int y = 0; y < places.rows; ++y)
-        for (int x = 0; x < places.cols; ++x)
-            for (int j = -1; j <= 1; ++j)
-                for (int i = -1; i <= 1; ++i) {
-                    const std::uint8_t *place =
-                        places.ptr(std::clamp(y + j * placeStep, 0, places.rows - 1)) +
-                        numbersAPlace * std::clamp(x + i * placeStep, 0, places.cols - 1);
-                    out = std::copy_n(place, numbersAPlace, out);
-                }
-    return level;
+    constexpr int border = WindowPyramid::placeStep;
+    cv::Mat places;
+    cv::copyMakeBorder(placesOf(lab), places, border, border, border, border, cv::BORDER_REPLICATE);
+    return {lab.cols, lab.rows,
+            std::vector<std::uint8_t>(places.ptr(), places.ptr() + places.total() * places.elemSize())};
 }
 
 } // namespace

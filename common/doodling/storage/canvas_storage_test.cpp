@@ -28,7 +28,6 @@ Shot plainShot()
     shot.cameras.assign(frames, camera);
     shot.forward.assign(frames - 1, flow);
     shot.backward.assign(frames - 1, flow);
-    shot.features.assign(frames, FeatureGrid{1, 1, 64, 2, {0, 0}});
     return shot;
 }
 

@@ -1,5 +1,7 @@
 #include "doodling/storage/depth_storage.h"
 
+#include <algorithm>
+
 namespace ductus {
 
 namespace {
@@ -16,19 +18,19 @@ DepthMap depthFromJson(const JsonReader &reader, ArrayLoader &arrays)
     map.mostDisparity = reader.number("mostDisparity", 1.0 / largest, largest);
     if (reader.failed())
         return {};
-    map.disparities = arrays.load<std::uint16_t>(reader, "disparities", 1);
+    std::vector<std::uint16_t> disparities = arrays.load<std::uint16_t>(reader, "disparities", 1);
     if (reader.has("objects"))
         map.objects = arrays.load<std::uint8_t>(reader, "objects", 1);
     if (reader.failed())
         return {};
     const std::size_t cells = std::size_t(map.width) * std::size_t(map.height);
-    if (map.disparities.size() != cells || (!map.objects.empty() && map.objects.size() != cells)) {
+    if (disparities.size() != cells || (!map.objects.empty() && map.objects.size() != cells)) {
         reader.fail("the depth has another number of cells than width times height");
         return {};
     }
-    for (std::uint16_t &disparity : map.disparities)
-        if (disparity == 0)
-            disparity = 1; // depths are finite
+    for (std::uint16_t &disparity : disparities)
+        disparity = std::max<std::uint16_t>(disparity, 1); // depths are finite
+    map.disparities = std::move(disparities);
     return map;
 }
 

@@ -1,12 +1,11 @@
 #include "doodling/storage/doodle_content.h"
 
+#include "doodling/scene/camera_numbers.h"
 #include "doodling/storage/canvas_storage.h"
 #include "doodling/storage/depth_storage.h"
 #include "doodling/storage/flow_storage.h"
 #include "doodling/storage/long_flow_storage.h"
 #include "project/container/entry_name.h"
-
-#include <cmath>
 
 namespace ductus {
 
@@ -30,55 +29,52 @@ std::string_view nameOf(CameraKnowledge knowledge)
     return knowledgeNames[0].first;
 }
 
-// Either all that is known of a frame is there, or nothing but cameras: the clip was not analysed yet.
+// Either all that is known of a frame is there, or nothing but cameras: the clip was not analysed yet, or
+// what was found is in the cache.
 bool isOfFrames(const Shot &shot, std::size_t frames)
 {
     if (shot.cameras.size() != frames)
         return false;
-    if (shot.features.empty() && shot.forward.empty() && shot.backward.empty())
+    if (shot.forward.empty() && shot.backward.empty())
         return true;
-    return shot.features.size() == frames && shot.forward.size() + 1 == frames &&
-           shot.backward.size() + 1 == frames;
+    return shot.forward.size() + 1 == frames && shot.backward.size() + 1 == frames;
+}
+
+bool leavesOut(const Shot &shot, bool packsAnalysis)
+{
+    return shot.isLeftInCache || (shot.isCached() && !packsAnalysis);
 }
 
 struct StoredShot
 {
     std::vector<StoredFlow> forward, backward;
-    std::vector<BufferPacker::Handle> features;
     BufferPacker::Handle cameras = 0;
     StoredLongFlows longFlows;
     StoredDepths depths;
 };
 
-// Rotation x y z w, position, focal length, centre of projection.
-constexpr std::uint64_t numbersACamera = 10;
-
-StoredShot addShot(const Shot &shot, BufferPacker &packer)
+StoredShot addShot(const Shot &shot, bool packsAnalysis, BufferPacker &packer)
 {
     StoredShot stored;
     std::vector<double> cameras;
-    for (const ShotCamera &camera : shot.cameras) {
-        const Eigen::Quaterniond rotation(camera.worldFromCamera.linear());
-        const Vec3 position = camera.position();
-        for (double number : {rotation.x(), rotation.y(), rotation.z(), rotation.w(), position.x(),
-                              position.y(), position.z(), camera.focal, camera.centre.x(), camera.centre.y()})
+    for (const ShotCamera &camera : shot.cameras)
+        for (double number : numbersOf(camera))
             cameras.push_back(number);
-    }
     stored.cameras = packer.add<double>(cameras, {shot.cameras.size(), numbersACamera});
-    for (const FlowField &flow : shot.forward)
+    if (shot.isDepthGiven || !leavesOut(shot, packsAnalysis))
+        stored.depths = addDepths(shot, packer);
+    if (leavesOut(shot, packsAnalysis))
+        return stored;
+    for (const CompactFlow &flow : shot.forward)
         stored.forward.push_back(addFlow(flow, packer));
-    for (const FlowField &flow : shot.backward)
+    for (const CompactFlow &flow : shot.backward)
         stored.backward.push_back(addFlow(flow, packer));
-    for (const FeatureGrid &grid : shot.features)
-        stored.features.push_back(
-            packer.add<std::uint8_t>(grid.values, {std::uint64_t(grid.width) * std::uint64_t(grid.height),
-                                                   std::uint64_t(grid.channels)}));
     stored.longFlows = addLongFlows(shot, packer);
-    stored.depths = addDepths(shot, packer);
     return stored;
 }
 
-OrderedJson shotJson(const Shot &shot, const StoredShot &stored, const BufferPacker &packer)
+OrderedJson shotJson(const Shot &shot, bool packsAnalysis, const StoredShot &stored,
+                     const BufferPacker &packer)
 {
     OrderedJson json = {{"width", shot.width},
                         {"height", shot.height},
@@ -87,36 +83,23 @@ OrderedJson shotJson(const Shot &shot, const StoredShot &stored, const BufferPac
                         {"cameras", packer.reference(stored.cameras).toJson()},
                         {"forward", OrderedJson::array()},
                         {"backward", OrderedJson::array()},
-                        {"features", OrderedJson::array()}};
+                        {"features", OrderedJson::array()}}; // of version 1; nothing is read from them
+    if (shot.nearestDisparity > 0.0)
+        json["nearestDisparity"] = shot.nearestDisparity;
+    if (shot.isDepthGiven)
+        json["depthSource"] = "given";
+    if (shot.isDepthGiven || !leavesOut(shot, packsAnalysis))
+        writeDepths(shot, stored.depths, packer, json);
+    if (leavesOut(shot, packsAnalysis)) {
+        json["analysis"] = "cache";
+        return json;
+    }
     for (std::size_t t = 0; t < shot.forward.size(); ++t) {
         json["forward"].push_back(flowJson(shot.forward[t], stored.forward[t], packer));
         json["backward"].push_back(flowJson(shot.backward[t], stored.backward[t], packer));
     }
-    for (std::size_t t = 0; t < shot.features.size(); ++t)
-        json["features"].push_back({{"width", shot.features[t].width},
-                                    {"height", shot.features[t].height},
-                                    {"cellSize", shot.features[t].cellSize},
-                                    {"channels", shot.features[t].channels},
-                                    {"values", packer.reference(stored.features[t]).toJson()}});
     writeLongFlows(shot, stored.longFlows, packer, json);
-    writeDepths(shot, stored.depths, packer, json);
     return json;
-}
-
-FeatureGrid featuresFromJson(const JsonReader &reader, ArrayLoader &arrays)
-{
-    FeatureGrid grid;
-    grid.width = int(reader.integer("width", 1, mostPixels));
-    grid.height = int(reader.integer("height", 1, mostPixels));
-    grid.cellSize = int(reader.integer("cellSize", 1, 256));
-    grid.channels = int(reader.integer("channels", 1, 4096));
-    if (reader.failed())
-        return {};
-    grid.values = arrays.load<std::uint8_t>(reader, "values", std::uint64_t(grid.channels));
-    if (!reader.failed() &&
-        grid.values.size() != std::size_t(grid.width) * std::size_t(grid.height) * std::size_t(grid.channels))
-        reader.fail("the features have another number of cells than width times height");
-    return grid;
 }
 
 std::vector<ShotCamera> camerasFromJson(const JsonReader &reader, ArrayLoader &arrays)
@@ -124,18 +107,13 @@ std::vector<ShotCamera> camerasFromJson(const JsonReader &reader, ArrayLoader &a
     const std::vector<double> numbers = arrays.load<double>(reader, "cameras", numbersACamera);
     std::vector<ShotCamera> cameras;
     for (std::size_t i = 0; i + numbersACamera <= numbers.size(); i += numbersACamera) {
-        const double *n = numbers.data() + i;
-        const Eigen::Quaterniond rotation(n[3], n[0], n[1], n[2]);
-        if (!(std::abs(rotation.norm() - 1.0) < 1e-6) || !(n[7] > 0.0)) {
+        const std::optional<ShotCamera> camera =
+            cameraOf(std::span<const double, numbersACamera>(numbers.data() + i, numbersACamera));
+        if (!camera) {
             reader.failAt("cameras", "camera " + std::to_string(cameras.size()) + " is no camera");
             return {};
         }
-        ShotCamera camera;
-        camera.worldFromCamera.linear() = rotation.normalized().toRotationMatrix();
-        camera.worldFromCamera.translation() = Vec3(n[4], n[5], n[6]);
-        camera.focal = n[7];
-        camera.centre = Vec2(n[8], n[9]);
-        cameras.push_back(camera);
+        cameras.push_back(*camera);
     }
     return cameras;
 }
@@ -147,6 +125,10 @@ Shot shotFromJson(const JsonReader &reader, ArrayLoader &arrays, const ClipRefer
     shot.height = int(reader.integer("height", 1, mostPixels));
     shot.knowledge = reader.oneOf<CameraKnowledge>("knowledge", knowledgeNames);
     shot.sceneDepth = reader.number("sceneDepth", 1e-9, largest);
+    if (reader.has("nearestDisparity"))
+        shot.nearestDisparity = reader.number("nearestDisparity", 1.0 / largest, largest);
+    shot.isLeftInCache = reader.has("analysis");
+    shot.isDepthGiven = reader.has("depthSource");
     shot.clipWidth = clip.width;
     shot.clipHeight = clip.height;
     if (reader.failed())
@@ -158,17 +140,28 @@ Shot shotFromJson(const JsonReader &reader, ArrayLoader &arrays, const ClipRefer
     for (const JsonReader &flow : reader.elements("backward", std::size_t(mostFrames)))
         if (!reader.failed())
             shot.backward.push_back(flowFromJson(flow, arrays));
-    for (const JsonReader &grid : reader.elements("features", std::size_t(mostFrames)))
-        if (!reader.failed())
-            shot.features.push_back(featuresFromJson(grid, arrays));
     if (!reader.failed())
         readLongFlows(reader, arrays, clip.frameCount, shot);
     if (!reader.failed())
         readDepths(reader, arrays, clip.frameCount, shot);
+    // Motion that is here is as good as motion that is elsewhere.
+    shot.isLeftInCache = shot.isLeftInCache && shot.forward.empty();
     const std::size_t frames = std::size_t(clip.frameCount);
     if (!reader.failed() && !isOfFrames(shot, frames))
         reader.fail("it was made of another number of frames than the clip has");
     return shot;
+}
+
+OrderedJson clipJson(const ClipReference &clip)
+{
+    OrderedJson json = {{"path", clip.path},
+                        {"frameCount", clip.frameCount},
+                        {"width", clip.width},
+                        {"height", clip.height},
+                        {"framesPerSecond", clip.framesPerSecond}};
+    if (!clip.digest.empty())
+        json["sha256"] = clip.digest;
+    return json;
 }
 
 std::shared_ptr<const DocumentContent> readDoodle(const JsonReader &reader, ArrayLoader &arrays)
@@ -180,6 +173,8 @@ std::shared_ptr<const DocumentContent> readDoodle(const JsonReader &reader, Arra
     clip.width = int(clipReader.integer("width", 1, mostPixels));
     clip.height = int(clipReader.integer("height", 1, mostPixels));
     clip.framesPerSecond = clipReader.number("framesPerSecond", 1e-6, 1e6);
+    if (clipReader.has("sha256"))
+        clip.digest = clipReader.string("sha256", 64);
     if (reader.failed())
         return nullptr;
     auto shot = std::make_shared<const Shot>(shotFromJson(reader.member("shot"), arrays, clip));
@@ -191,9 +186,11 @@ std::shared_ptr<const DocumentContent> readDoodle(const JsonReader &reader, Arra
             sceneFromJson(reader.member("scene"), arrays, clip.frameCount));
     if (reader.failed())
         return nullptr;
+    const bool isPacked = !shot->forward.empty();
     return std::make_shared<const DoodleContent>(
         std::move(clip), std::move(shot),
-        reader.unknown({"schema", "version", "minReader", "id", "clip", "shot", "scene"}), std::move(scene));
+        reader.unknown({"schema", "version", "minReader", "id", "clip", "shot", "scene"}), std::move(scene),
+        isPacked);
 }
 
 } // namespace
@@ -215,25 +212,37 @@ Result<void> DoodleContent::check(const std::string &place) const
 
 OrderedJson DoodleContent::toJson(const Uuid &id, BufferPacker &packer) const
 {
-    const StoredShot stored = addShot(*mShot, packer);
+    const StoredShot stored = addShot(*mShot, mPacksAnalysis, packer);
     packer.startBuffer(); // drawing on changes buffers of its own only
     const StoredScene storedScene = addScene(*mScene, packer);
     packer.finish();
-    OrderedJson json = {{"schema", doodleKindName},
-                        {"version", doodleVersion},
-                        {"minReader", 1},
-                        {"id", id.text()},
-                        {"clip",
-                         {{"path", mClip.path},
-                          {"frameCount", mClip.frameCount},
-                          {"width", mClip.width},
-                          {"height", mClip.height},
-                          {"framesPerSecond", mClip.framesPerSecond}}},
-                        {"shot", shotJson(*mShot, stored, packer)}};
+    OrderedJson json = {
+        {"schema", doodleKindName}, {"version", doodleVersion},
+        {"minReader", 1},           {"id", id.text()},
+        {"clip", clipJson(mClip)},  {"shot", shotJson(*mShot, mPacksAnalysis, stored, packer)}};
     if (!mScene->canvases.empty())
         json["scene"] = sceneJson(*mScene, storedScene, packer);
     addUnknown(json, mUnknown);
     return json;
+}
+
+std::uint64_t packedAnalysisBytes(const Shot &shot)
+{
+    std::uint64_t bytes = 0;
+    const auto add = [&](const CompactFlow &flow) { bytes += 5 * flow.cellCount(); };
+    for (std::size_t t = 0; t < shot.forward.size(); ++t) {
+        add(shot.forward[t]);
+        add(shot.backward[t]);
+    }
+    for (const auto &[span, flows] : shot.longFlows) {
+        add(flows.forward);
+        add(flows.backward);
+    }
+    for (const SmallPicture &picture : shot.pictures)
+        bytes += picture.lightness.size() + picture.colours.size();
+    for (const DepthMap &depth : shot.depths)
+        bytes += 2 * depth.disparities.size() + depth.objects.size();
+    return bytes;
 }
 
 DocumentKind doodleKind()

@@ -33,17 +33,16 @@ Shot smallShot(int frames)
         camera.worldFromCamera.translation() = Vec3(0.1 * t, 0.0, 1.0 / 3.0);
         camera.worldFromCamera.linear() = Eigen::AngleAxisd(0.1 * t, Vec3::UnitY()).toRotationMatrix();
         shot.cameras.push_back(camera);
-        FeatureGrid grid{5, 3, 8, 2, {}};
-        for (int i = 0; i < 30; ++i)
-            grid.values.push_back(std::uint8_t(random.index(256)));
-        shot.features.push_back(grid);
         std::vector<float> disparities;
         for (int i = 0; i < 60; ++i)
             disparities.push_back(float(0.01 + random.uniform()));
         shot.depths.push_back(depthMapOf(10, 6, 4.0, disparities));
-        if (t % 2 == 0) // frames in which nothing moves have no objects
+        if (t % 2 == 0) { // frames in which nothing moves have no objects
+            std::vector<std::uint8_t> objects;
             for (int i = 0; i < 60; ++i)
-                shot.depths.back().objects.push_back(std::uint8_t(random.index(4)));
+                objects.push_back(std::uint8_t(random.index(4)));
+            shot.depths.back().objects = std::move(objects);
+        }
         if (t > 0) {
             shot.forward.push_back(flow());
             shot.backward.push_back(flow());
@@ -101,14 +100,13 @@ private slots:
         for (int t = 0; t < frames; ++t) {
             QVERIFY(back.cameras[t].worldFromCamera.isApprox(shot.cameras[t].worldFromCamera, 1e-12));
             QCOMPARE(back.cameras[t].focal, 36.0);
-            QCOMPARE(back.features[t].values, shot.features[t].values);
-            QCOMPARE(back.depths[t].disparities, shot.depths[t].disparities);
-            QCOMPARE(back.depths[t].objects, shot.depths[t].objects);
+            QVERIFY(back.depths[t].disparities == shot.depths[t].disparities);
+            QVERIFY(back.depths[t].objects == shot.depths[t].objects);
             QCOMPARE(back.depths[t].mostDisparity, shot.depths[t].mostDisparity);
         }
         for (int t = 0; t + 1 < frames; ++t) {
-            QCOMPARE(back.forward[t].motions, shot.forward[t].motions); // the test's are whole 32nds
-            QCOMPARE(back.backward[t].confidences, shot.backward[t].confidences);
+            QVERIFY(back.forward[t].motions == shot.forward[t].motions);
+            QVERIFY(back.backward[t].confidences == shot.backward[t].confidences);
         }
         const auto again = serializedProject(*project);
         QVERIFY(again.ok());

@@ -2,7 +2,7 @@
 // in 8.
 #pragma once
 
-#include "doodling/reconstruction/flow_field.h"
+#include "doodling/reconstruction/long_flow.h"
 #include "project/arrays/array_loader.h"
 #include "project/arrays/buffer_packer.h"
 
@@ -13,10 +13,10 @@ struct StoredFlow
     BufferPacker::Handle motions, confidences;
 };
 
-StoredFlow addFlow(const FlowField &flow, BufferPacker &packer);
+StoredFlow addFlow(const CompactFlow &flow, BufferPacker &packer);
 /// \a packer is finished.
-OrderedJson flowJson(const FlowField &flow, const StoredFlow &stored, const BufferPacker &packer);
+OrderedJson flowJson(const CompactFlow &flow, const StoredFlow &stored, const BufferPacker &packer);
 /// Fails through \a reader.
-FlowField flowFromJson(const JsonReader &reader, ArrayLoader &arrays);
+CompactFlow flowFromJson(const JsonReader &reader, ArrayLoader &arrays);
 
 } // namespace ductus

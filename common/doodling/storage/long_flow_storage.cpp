@@ -33,8 +33,8 @@ StoredLongFlows addLongFlows(const Shot &shot, BufferPacker &packer)
 {
     StoredLongFlows stored;
     for (const auto &[span, flows] : shot.longFlows) {
-        stored.forward.push_back(addFlow(expanded(flows.forward), packer));
-        stored.backward.push_back(addFlow(expanded(flows.backward), packer));
+        stored.forward.push_back(addFlow(flows.forward, packer));
+        stored.backward.push_back(addFlow(flows.backward, packer));
     }
     for (const SmallPicture &picture : shot.pictures) {
         stored.lightness.push_back(
@@ -53,8 +53,8 @@ void writeLongFlows(const Shot &shot, const StoredLongFlows &stored, const Buffe
     for (const auto &[span, pair] : shot.longFlows) {
         flows.push_back({{"first", span.first},
                          {"gap", span.second},
-                         {"forward", flowJson(expanded(pair.forward), stored.forward[i], packer)},
-                         {"backward", flowJson(expanded(pair.backward), stored.backward[i], packer)}});
+                         {"forward", flowJson(pair.forward, stored.forward[i], packer)},
+                         {"backward", flowJson(pair.backward, stored.backward[i], packer)}});
         ++i;
     }
     for (std::size_t t = 0; t < shot.pictures.size(); ++t)
@@ -79,8 +79,8 @@ void readLongFlows(const JsonReader &reader, ArrayLoader &arrays, int frameCount
                 flow.fail("it goes on beyond the clip");
             if (reader.failed())
                 return;
-            CompactFlow forward = compacted(flowFromJson(flow.member("forward"), arrays));
-            CompactFlow backward = compacted(flowFromJson(flow.member("backward"), arrays));
+            CompactFlow forward = flowFromJson(flow.member("forward"), arrays);
+            CompactFlow backward = flowFromJson(flow.member("backward"), arrays);
             if (!reader.failed())
                 shot.longFlows[{first, gap}] = {std::move(forward), std::move(backward)};
         }

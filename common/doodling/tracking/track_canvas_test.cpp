@@ -29,7 +29,6 @@ Shot movingShot()
                     std::uint8_t(128 + 100 * std::sin(0.07 * (x - 3 * t)) * std::cos(0.05 * (y - t)));
                 picture.set(x, y, {shade, std::uint8_t(255 - shade), 90, 255});
             }
-        shot.features.push_back(featuresOf(picture));
         shot.pictures.push_back(smallPictureOf(picture));
         if (t + 1 < frames) {
             shot.forward.push_back(ahead);
@@ -66,11 +65,14 @@ Shot turningShot()
         shot.pictures[std::size_t(t)] = smallPictureOf(picture);
         if (t + 1 == frames)
             break;
+        FlowField ahead{80, 40, 4.0, {}, std::vector<float>(3200, 1.0f)}, back = ahead;
         for (int cell = 0; cell < 3200; ++cell) {
             const Vec2 p(4.0 * (cell % 80) + 2.0, 4.0 * (cell / 80) + 2.0);
-            shot.forward[std::size_t(t)].motions[std::size_t(cell)] = (moved(p, 1) - p).cast<float>();
-            shot.backward[std::size_t(t)].motions[std::size_t(cell)] = (moved(p, -1) - p).cast<float>();
+            ahead.motions.push_back((moved(p, 1) - p).cast<float>());
+            back.motions.push_back((moved(p, -1) - p).cast<float>());
         }
+        shot.forward[std::size_t(t)] = ahead;
+        shot.backward[std::size_t(t)] = back;
     }
     return shot;
 }

@@ -58,7 +58,6 @@ struct Film
         shot.cameras.assign(frames, ShotCamera{Eigen::Isometry3d::Identity(), 300.0, {160.0, 80.0}});
         for (int t = 0; t < frames; ++t) {
             const Image image = picture(t);
-            shot.features.push_back(featuresOf(image));
             shot.pictures.push_back(smallPictureOf(image));
             if (t + 1 < frames) {
                 shot.forward.push_back(flow(t, 1));
@@ -147,7 +146,6 @@ private slots:
     {
         Shot shot = Film().shot();
         shot.cameras.resize(1);
-        shot.features.resize(1);
         shot.pictures.resize(1);
         shot.forward.clear();
         shot.backward.clear();

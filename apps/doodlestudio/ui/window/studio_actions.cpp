@@ -49,6 +49,16 @@ void StudioWindow::addFileActions()
              {QKeySequence("Ctrl+Shift+S")},
              file},
             [this] { saveAs(); });
+    QAction *pack =
+        all.add({"file.pack",
+                 tr("&Pack the analysis"),
+                 tr("Saves how the scene moves in the project as well, so that it opens at once "
+                    "on another computer. Makes the file larger."),
+                 {},
+                 {},
+                 file},
+                [this] { packAnalysis(actions().action(QStringLiteral("file.pack"))->isChecked()); });
+    pack->setCheckable(true);
     QAction *exportFilm = all.add({"file.export",
                                    tr("&Export..."),
                                    tr("Makes a film, a moving picture for slides, or an overlay."),
@@ -223,19 +233,19 @@ void StudioWindow::addDrawingActions()
         const char *icon;
         Qt::Key key;
         DrawingTool tool;
-    } tools[] = {{"draw.pen", tr("&Pen"), tr("Draws lines."), "draw-freehand", Qt::Key_P, DrawingTool::Pen},
-                 {"draw.fill", tr("&Filled shape"), tr("Draw an outline; what is inside is filled."),
-                  "shape-fill", Qt::Key_G, DrawingTool::Fill},
-                 {"draw.arrow", tr("&Arrow"), tr("Points at something."), "arrow-mark", Qt::Key_A,
-                  DrawingTool::Arrow},
-                 {"draw.words", tr("&Words"), tr("Type words, then click where they should stand."),
-                  "draw-text", Qt::Key_T, DrawingTool::Text},
-                 {"draw.sticker", tr("&Sticker"), tr("Ready-made drawings."), "sticker", Qt::Key_S,
-                  DrawingTool::Sticker},
-                 {"draw.eraser", tr("&Eraser"), tr("Takes parts of lines away."), "draw-eraser", Qt::Key_E,
-                  DrawingTool::Eraser},
-                 {"draw.move", tr("&Move a drawing"), tr("Moves something that was drawn."), "transform-move",
-                  Qt::Key_V, DrawingTool::Move}};
+    } tools[] = {
+        {"draw.pen", tr("&Pen"), tr("Draws lines."), "draw-freehand", Qt::Key_P, DrawingTool::Pen},
+        {"draw.fill", tr("&Filled shape"), tr("Draw an outline; what is inside is filled."), "shape-fill",
+         Qt::Key_G, DrawingTool::Fill},
+        {"draw.arrow", tr("&Arrow"), tr("Points at something."), "arrow-mark", Qt::Key_A, DrawingTool::Arrow},
+        {"draw.words", tr("&Words"), tr("Type words, then click where they should stand."), "draw-text",
+         Qt::Key_T, DrawingTool::Text},
+        {"draw.sticker", tr("&Sticker"), tr("Ready-made drawings."), "sticker", Qt::Key_S,
+         DrawingTool::Sticker},
+        {"draw.eraser", tr("&Eraser"), tr("Takes parts of lines away."), "draw-eraser", Qt::Key_E,
+         DrawingTool::Eraser},
+        {"draw.move", tr("&Move a drawing"), tr("Moves something that was drawn."), "transform-move",
+         Qt::Key_V, DrawingTool::Move}};
     for (const auto &tool : tools)
         all.add({tool.id, tool.text, tool.teaches, tool.icon, {QKeySequence(tool.key)}, draw},
                 [this, chosen = tool.tool] {
@@ -305,7 +315,8 @@ void StudioWindow::fillMenus()
             list << actions().action(QLatin1String(id));
         return list;
     };
-    addToMenu(fileMenu(), named({"file.open", "file.start", "file.save", "file.saveAs", "file.export"}));
+    addToMenu(fileMenu(),
+              named({"file.open", "file.start", "file.save", "file.saveAs", "file.pack", "file.export"}));
     menu(tr("&Canvas"))
         ->addActions(named({"canvas.follow", "canvas.stay", "canvas.face", "canvas.previousKeyframe",
                             "canvas.nextKeyframe", "canvas.duplicate", "canvas.remove", "scene.analyse"}));

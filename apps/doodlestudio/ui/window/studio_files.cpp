@@ -242,41 +242,6 @@ void StudioWindow::adoptClip(OpenedClip clip)
         });
 }
 
-void StudioWindow::analyse()
-{
-    jobs().start<std::shared_ptr<const Shot>>(
-        {QStringLiteral("analyse"), tr("Looking at the scene")}, this,
-        [path = enginePath(mDoodle.clipPath())](
-            const JobControl &control) -> Result<std::shared_ptr<const Shot>> {
-            // A clip of its own: the player's is in use.
-            Result<std::unique_ptr<Clip>> clip = openClip(path, control.part(0.0, 0.02));
-            if (!clip)
-                return clip.error();
-            Result<Shot> shot = reconstructShot(**clip, {}, control.part(0.02, 1.0));
-            if (!shot)
-                return shot.error();
-            return std::make_shared<const Shot>(std::move(*shot));
-        },
-        [this, revision = mDoodle.project().id](Result<std::shared_ptr<const Shot>> shot) {
-            if (revision != mDoodle.project().id)
-                return; // another clip was opened meanwhile
-            if (shot) {
-                mDoodle.setShot(std::move(*shot));
-                return;
-            }
-            if (!shot.error().isCancelled()) {
-                showError(shot.error(), tr("Try again"), [this] { analyse(); });
-                return;
-            }
-            Message message{MessageKind::Info, tr("The scene was not looked at to the end.")};
-            message.remedy = tr("Canvases cannot follow what moves until it is.");
-            message.action = tr("Look at the scene");
-            message.run = [this] { analyse(); };
-            message.key = QStringLiteral("analyse");
-            messages()->show(message);
-        });
-}
-
 ExportDialog *StudioWindow::openExport()
 {
     if (mDoodle.isEmpty()) {

@@ -321,8 +321,10 @@ void StudioWindow::showPicture()
 
 void StudioWindow::onDocumentChanged(const ChangeEvent &event)
 {
-    if (event.as<ShotChanged>() || event.as<DocumentReset>())
+    if (event.as<ShotChanged>() || event.as<DocumentReset>()) {
         showSceneWords();
+        actions().action(QStringLiteral("file.pack"))->setChecked(mDoodle.packsAnalysis());
+    }
 }
 
 void StudioWindow::showSceneWords()

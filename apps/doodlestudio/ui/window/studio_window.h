@@ -62,6 +62,7 @@ public:
     void saveAs();
     /// Finds out how the scene moves; drawing goes on meanwhile.
     void analyse();
+    void packAnalysis(bool packs);
     /// The dialog that makes films; shown.
     ExportDialog *openExport();
 

@@ -31,7 +31,7 @@ struct PointTracker::State
     int frameCount = 0;
     std::vector<PointTrack> active, ended;
 
-    void follow(const cv::Mat &grey, const FlowField &flow);
+    void follow(const cv::Mat &grey, const CompactFlow &flow);
     void addCorners(const cv::Mat &grey);
     void end(PointTrack track)
     {
@@ -40,7 +40,7 @@ struct PointTracker::State
     }
 };
 
-void PointTracker::State::follow(const cv::Mat &grey, const FlowField &flow)
+void PointTracker::State::follow(const cv::Mat &grey, const CompactFlow &flow)
 {
     if (active.empty())
         return;
@@ -95,7 +95,7 @@ PointTracker::PointTracker(const PointTrackOptions &options) : mState(std::make_
 
 PointTracker::~PointTracker() = default;
 
-void PointTracker::add(const Image &frame, const FlowField *fromPrevious)
+void PointTracker::add(const Image &frame, const CompactFlow *fromPrevious)
 {
     const cv::Mat rgba(frame.height, frame.width, CV_8UC4, const_cast<std::uint8_t *>(frame.pixels.data()));
     cv::Mat grey;

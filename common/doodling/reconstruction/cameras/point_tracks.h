@@ -2,7 +2,7 @@
 // corner went, and Lucas-Kanade there and back where exactly.
 #pragma once
 
-#include "doodling/reconstruction/flow_field.h"
+#include "doodling/reconstruction/long_flow.h"
 #include "doodling/scene/shot_camera.h"
 
 #include <memory>
@@ -35,7 +35,7 @@ public:
     explicit PointTracker(const PointTrackOptions &options = {});
     ~PointTracker();
     /// \a fromPrevious is the flow from the frame added before; null for the first one.
-    void add(const Image &frame, const FlowField *fromPrevious);
+    void add(const Image &frame, const CompactFlow *fromPrevious);
     std::vector<PointTrack> takeTracks();
 
 private:

@@ -10,7 +10,7 @@ std::vector<ChainedPlaces> chainedFrom(const Shot &shot, int frame, int steps, c
     std::vector<ChainedPlaces> kept;
     if (shot.forward.empty() || steps == 0)
         return kept;
-    const FlowField &grid = shot.forward.front();
+    const CompactFlow &grid = shot.forward.front();
     ChainedPlaces places;
     places.frame = frame;
     for (int y = 0; y < grid.height; ++y)
@@ -23,19 +23,20 @@ std::vector<ChainedPlaces> chainedFrom(const Shot &shot, int frame, int steps, c
         const int from = places.frame, to = from + direction;
         if (to < 0 || to >= shot.frameCount())
             break;
-        const FlowField &flow =
+        const CompactFlow &flow =
             direction > 0 ? shot.forward[std::size_t(from)] : shot.backward[std::size_t(to)];
         for (std::size_t i = 0; i < places.pixels.size(); ++i) {
             if (places.trusts[i] <= 0.0f)
                 continue;
             const Vec2 pixel = places.pixels[i].cast<double>();
-            const float confidence = float(flow.confidenceAt(pixel));
+            const MotionAt step = flow.at(pixel);
+            const float confidence = float(step.confidence);
             if (confidence < options.leastConfidence) {
                 places.trusts[i] = 0.0f;
                 continue;
             }
             places.trusts[i] = std::min(places.trusts[i], confidence);
-            places.pixels[i] += flow.motionAt(pixel).cast<float>();
+            places.pixels[i] += step.motion.cast<float>();
         }
         places.frame = to;
         if (step % options.everyFrame == 0)

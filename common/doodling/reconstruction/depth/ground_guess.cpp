@@ -30,14 +30,14 @@ Vec3 meanDown(const Shot &shot)
 
 } // namespace
 
-std::vector<float> guessedDisparities(const Shot &shot, int frame, const FlowField &grid)
+std::vector<float> guessedDisparities(const Shot &shot, int frame, const CompactFlow &grid)
 {
     const Vec3 down = meanDown(shot);
     const ShotCamera &camera = shot.cameras[std::size_t(frame)];
     const double steepest = (1.0 - horizonShare) * shot.height / camera.focal;
     const double cameraHeight = steepest * nearestShare * shot.sceneDepth;
     std::vector<float> disparities;
-    disparities.reserve(grid.motions.size());
+    disparities.reserve(grid.cellCount());
     for (int y = 0; y < grid.height; ++y)
         for (int x = 0; x < grid.width; ++x) {
             const Vec3 ray = camera.rayOf(Vec2(x + 0.5, y + 0.5) * grid.cellSize);

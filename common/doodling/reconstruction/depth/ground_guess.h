@@ -7,6 +7,6 @@
 namespace ductus {
 
 /// One a cell of \a grid; 1 / scene unit.
-std::vector<float> guessedDisparities(const Shot &shot, int frame, const FlowField &grid);
+std::vector<float> guessedDisparities(const Shot &shot, int frame, const CompactFlow &grid);
 
 } // namespace ductus

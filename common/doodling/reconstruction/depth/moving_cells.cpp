@@ -39,25 +39,21 @@ double missOfStill(const ShotCamera &from, const ShotCamera &to, const Vec2 &pix
     return ahead < 0.0 ? off.norm() : across;
 }
 
-std::size_t cellOf(const FlowField &grid, const Eigen::Vector2f &pixel)
+// Where a cell's middle goes to.
+std::size_t goal(const CompactFlow &flow, std::size_t cell)
 {
-    const int x = std::clamp(int(double(pixel.x()) / grid.cellSize), 0, grid.width - 1);
-    const int y = std::clamp(int(double(pixel.y()) / grid.cellSize), 0, grid.height - 1);
-    return std::size_t(y) * std::size_t(grid.width) + std::size_t(x);
+    return flow.cellAt(flow.cellMiddle(cell) + flow.cellMotion(cell).cast<double>());
 }
 
 // Of what came before along the flow a share stays.
 void voteFrom(const Shot &shot, int frame, int neighbour, std::vector<float> &sums,
               const std::vector<float> &votes)
 {
-    const FlowField &flow =
+    const CompactFlow &flow =
         neighbour > frame ? shot.forward[std::size_t(frame)] : shot.backward[std::size_t(neighbour)];
     for (std::size_t i = 0; i < sums.size(); ++i) {
-        if (flow.confidences[i] < 0.35f)
-            continue;
-        const Eigen::Vector2f pixel(float((double(i % std::size_t(flow.width)) + 0.5) * flow.cellSize),
-                                    float((double(i / std::size_t(flow.width)) + 0.5) * flow.cellSize));
-        sums[i] += voteDecay * votes[cellOf(flow, pixel + flow.motions[i])];
+        if (flow.cellConfidence(i) >= 0.35f)
+            sums[i] += voteDecay * votes[goal(flow, i)];
     }
 }
 
@@ -65,10 +61,10 @@ void voteFrom(const Shot &shot, int frame, int neighbour, std::vector<float> &su
 
 OwnMotion ownMotion(const Shot &shot, int frame)
 {
-    const FlowField &grid = shot.forward.front();
+    const CompactFlow &grid = shot.forward.front();
     OwnMotion motion;
-    motion.pixels.assign(grid.motions.size(), 0.0f);
-    motion.trusts.assign(grid.motions.size(), 0.0f);
+    motion.pixels.assign(grid.cellCount(), 0.0f);
+    motion.trusts.assign(grid.cellCount(), 0.0f);
     for (int direction : {-1, 1})
         for (const ChainedPlaces &places : chainedFrom(shot, frame, direction * gaps.back())) {
             const int gap = std::abs(places.frame - frame);
@@ -77,11 +73,9 @@ OwnMotion ownMotion(const Shot &shot, int frame)
             for (std::size_t i = 0; i < places.pixels.size(); ++i) {
                 if (places.trusts[i] <= 0.0f)
                     continue;
-                const Vec2 pixel((double(i % std::size_t(grid.width)) + 0.5) * grid.cellSize,
-                                 (double(i / std::size_t(grid.width)) + 0.5) * grid.cellSize);
                 const double miss =
                     missOfStill(shot.cameras[std::size_t(frame)], shot.cameras[std::size_t(places.frame)],
-                                pixel, places.pixels[i].cast<double>());
+                                grid.cellMiddle(i), places.pixels[i].cast<double>());
                 // Flow's own errors grow with the root of the steps, motions with the steps.
                 motion.pixels[i] = std::max(motion.pixels[i], float(miss / std::sqrt(double(gap))));
                 motion.trusts[i] = std::max(motion.trusts[i], places.trusts[i]);
@@ -121,6 +115,7 @@ void voteAlongFlow(const Shot &shot, std::vector<std::vector<std::uint8_t>> &lik
         for (int t = first + step; t >= 0 && t < frames; t += step) {
             std::vector<float> carried(last.size(), 0.0f);
             voteFrom(shot, t, t - step, carried, last);
+            shot.forgetPages(t - 1, t);
             for (std::size_t i = 0; i < carried.size(); ++i) {
                 // Own evidence and what came along, the stronger one more.
                 const float own = float(likelihoods[std::size_t(t)][i]);
@@ -141,7 +136,7 @@ void voteAlongFlow(const Shot &shot, std::vector<std::vector<std::uint8_t>> &lik
 std::vector<std::vector<std::uint8_t>>
 numberedObjects(const Shot &shot, const std::vector<std::vector<std::uint8_t>> &likelihoods)
 {
-    const FlowField &grid = shot.forward.front();
+    const CompactFlow &grid = shot.forward.front();
     const std::size_t width = std::size_t(grid.width), cells = width * std::size_t(grid.height);
     const std::size_t fewest = std::size_t(leastArea * double(cells)) + 1;
     std::vector<std::vector<std::uint8_t>> numbers;
@@ -151,12 +146,8 @@ numberedObjects(const Shot &shot, const std::vector<std::vector<std::uint8_t>> &
         std::vector<bool> isDone(cells, false);
         std::vector<std::uint8_t> expected(cells, 0);
         if (t > 0)
-            for (std::size_t i = 0; i < cells; ++i) {
-                const FlowField &back = shot.backward[t - 1];
-                const Eigen::Vector2f pixel(float((double(i % width) + 0.5) * grid.cellSize),
-                                            float((double(i / width) + 0.5) * grid.cellSize));
-                expected[i] = numbers[t - 1][cellOf(grid, pixel + back.motions[i])];
-            }
+            for (std::size_t i = 0; i < cells; ++i)
+                expected[i] = numbers[t - 1][goal(shot.backward[t - 1], i)];
         const auto moving = std::count_if(likelihoods[t].begin(), likelihoods[t].end(),
                                           [](std::uint8_t likelihood) { return likelihood >= 128; });
         for (std::size_t seed = 0; seed < cells && double(moving) <= mostArea * double(cells); ++seed) {
@@ -193,6 +184,7 @@ numberedObjects(const Shot &shot, const std::vector<std::vector<std::uint8_t>> &
                 now[i] = std::uint8_t(number);
         }
         numbers.push_back(std::move(now));
+        shot.forgetPages(int(t), int(t));
     }
     return numbers;
 }

@@ -1,84 +1,50 @@
 #include "doodling/reconstruction/depth/shot_depth.h"
 
-#include "doodling/reconstruction/depth/edge_aware_smoothing.h"
+#include "base/parallel.h"
 #include "doodling/reconstruction/depth/ground_guess.h"
 #include "doodling/reconstruction/depth/moving_cells.h"
 #include "doodling/reconstruction/depth/object_depth.h"
-#include "doodling/reconstruction/depth/static_depth.h"
+#include "doodling/reconstruction/depth/still_depth.h"
+#include "doodling/reconstruction/frame_records.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace ductus {
 
 namespace {
 
 constexpr char attempted[] = "Finding how far away things are";
-constexpr double colourSigma = 12.0;         // grey levels
-constexpr double goodSpread = 0.04;          // of the usual inverse depth: exacter ones count no more
-constexpr double mostStillMiss = 1.3;        // pixels at 854 of width
-constexpr double oddDeviation = 0.2;         // of a cell's disparity, from what is around
-constexpr double leastDisparityShare = 0.02; // of the usual one
-constexpr double beyondPoints = 1.6;         // how much nearer than the nearest points anything may be
-constexpr double floating = 1.7;             // times nearer than all below it, and than what is usual
-constexpr float wideWeight = 0.03f;          // of what lies around, where a cell itself is known
-constexpr float pastWeight = 0.35f;          // of the frame before
+constexpr double colourSigma = 12.0; // grey levels
+constexpr int batch = 8;             // frames worked on side by side
+constexpr int mostReach = 32;        // frames to each side that a frame's depth is found from
 
-struct DepthRange
+std::vector<float> disparitiesOf(const DepthMap &map)
 {
-    double usual = 0.0; // inverse depths
-    double most = 0.0;  // nearer than all but a few
-};
-
-DepthRange rangeOf(std::vector<double> inverses)
-{
-    if (inverses.empty())
-        return {};
-    std::sort(inverses.begin(), inverses.end());
-    return {inverses[inverses.size() / 2], inverses[std::size_t(0.98 * double(inverses.size() - 1))]};
+    std::vector<float> disparities(map.disparities.size());
+    for (std::size_t i = 0; i < disparities.size(); ++i)
+        disparities[i] = float(map.cellDisparity(i));
+    return disparities;
 }
 
-// Of the points as the cameras see them.
-DepthRange depthRange(const Shot &shot, const std::vector<std::optional<HomogeneousPoint>> &points)
+DepthMap withObjects(const DepthMap &still, const std::vector<std::uint8_t> &objects,
+                     const ObjectDisparities &contacts)
 {
-    std::vector<double> inverses;
-    for (int t = 0; t < shot.frameCount(); t += std::max(1, shot.frameCount() / 8))
-        for (const auto &point : points) {
-            if (!point || point->w() <= 1e-9 * point->norm())
-                continue;
-            const ShotCamera &camera = shot.cameras[std::size_t(t)];
-            const Vec3 place = point->head<3>() / point->w();
-            const std::optional<Vec2> seen = camera.projected(place);
-            if (seen && seen->x() > 0 && seen->y() > 0 && seen->x() < shot.width && seen->y() < shot.height)
-                inverses.push_back(1.0 / camera.depthOf(place));
-        }
-    return rangeOf(std::move(inverses));
-}
-
-// Things stand on the ground, which comes nearer downwards: what seems far nearer than all below it moves
-// along the camera's way and only looks near.
-void distrustFloating(const std::vector<float> &inverseDepths, const std::vector<float> &wide, int width,
-                      int height, double usual, std::vector<float> &weights)
-{
-    for (int x = 0; x < width; ++x) {
-        float nearestBelow = 0.0f;
-        for (int y = height - 1; y >= 0; --y) {
-            const std::size_t i = std::size_t(y) * std::size_t(width) + std::size_t(x);
-            const double most = floating * std::max(double(nearestBelow), usual);
-            if (double(inverseDepths[i]) > most && y < height - 2)
-                weights[i] *= 0.02f;
-            else
-                nearestBelow = std::max(nearestBelow, wide[i]);
-        }
-    }
+    std::vector<float> all = disparitiesOf(still);
+    for (std::size_t i = 0; i < objects.size(); ++i)
+        if (objects[i] != 0 && contacts[objects[i]] > 0.0f)
+            all[i] = contacts[objects[i]];
+    DepthMap map = depthMapOf(still.width, still.height, still.cellSize, all);
+    map.objects = objects;
+    return map;
 }
 
 class DepthFinder
 {
 public:
-    DepthFinder(Clip &clip, int mostLines, double nearest, Shot &shot, const JobControl &control)
-        : mClip(clip), mMostLines(mostLines), mNearest(nearest), mShot(shot), mControl(control),
-          mGrid(shot.forward.front())
+    DepthFinder(Clip &clip, const ShotOptions &options, ShotStore *store, Shot &shot,
+                const JobControl &control)
+        : mClip(clip), mOptions(options), mStore(store), mShot(shot), mControl(control),
+          mGrid(shot.forward.front()), mFrames(shot.frameCount())
     {
     }
 
@@ -86,171 +52,259 @@ public:
     {
         if (Result<void> found = findObjects(); !found)
             return found;
-        std::vector<ObjectDisparities> contacts;
-        std::vector<float> before;
-        for (int t = 0; t < mShot.frameCount(); ++t) {
-            if (mControl.isCancelled())
-                return cancelledError(attempted);
-            mControl.progress(0.4 + 0.6 * double(t) / mShot.frameCount(), attempted);
-            Result<std::vector<float>> background = stillDisparities(t, before);
-            if (!background)
-                return background.error();
-            before = std::move(*background);
-            contacts.push_back(
-                contactDisparities(mObjects[std::size_t(t)], before, mGrid.width, mGrid.height));
-            mShot.depths.push_back(depthMapOf(mGrid.width, mGrid.height, mGrid.cellSize, before));
-        }
-        smoothOverTime(contacts);
-        for (std::size_t t = 0; t < contacts.size(); ++t)
-            putObjects(mShot.depths[t], mObjects[t], contacts[t]);
+        if (Result<void> found = findStill(); !found)
+            return found;
+        smoothOverTime(mContacts);
+        for (int t = 0; t < mFrames; ++t)
+            if (Result<void> put = putDepth(t); !put)
+                return put;
+        if (mStore)
+            for (RecordKind kind : {RecordKind::Moving, RecordKind::Still})
+                mStore->removeAll(kind); // they served to go on where a run was stopped
         return {};
     }
 
 private:
-    Result<EdgeWeights> edgesOf(int frame)
+    // Of the frames first.. that \a isWanted; the others' stay empty.
+    Result<std::vector<EdgeWeights>> edgesOf(int first, const std::vector<bool> &isWanted)
     {
-        const Result<Image> image = mClip.frame(frame, mMostLines);
-        if (!image)
-            return image.error();
-        return edgeWeights(*image, int(mGrid.cellSize), colourSigma);
+        std::vector<Image> images(isWanted.size());
+        for (std::size_t i = 0; i < isWanted.size(); ++i) {
+            if (mControl.isCancelled())
+                return cancelledError(attempted);
+            if (!isWanted[i])
+                continue;
+            Result<Image> image = mClip.frame(first + int(i), mOptions.mostLines);
+            if (!image)
+                return image.error();
+            images[i] = std::move(*image);
+        }
+        std::vector<EdgeWeights> edges(isWanted.size());
+        parallelFor(0, isWanted.size(), [&](std::size_t i) {
+            if (isWanted[i])
+                edges[i] = edgeWeights(images[i], int(mGrid.cellSize), colourSigma);
+        });
+        return edges;
     }
 
     Result<void> findObjects()
     {
-        for (int t = 0; t < mShot.frameCount(); ++t) {
-            if (mControl.isCancelled())
-                return cancelledError(attempted);
-            mControl.progress(0.4 * double(t) / mShot.frameCount(), "Finding what moves by itself");
-            const Result<EdgeWeights> edges = edgesOf(t);
+        mObjects.resize(std::size_t(mFrames));
+        for (int first = 0; first < mFrames; first += batch) {
+            mControl.progress(0.4 * double(first) / mFrames, "Finding what moves by itself");
+            std::vector<bool> isWanted;
+            for (int t = first; t < std::min(first + batch, mFrames); ++t)
+                isWanted.push_back(!takeMoving(t));
+            const Result<std::vector<EdgeWeights>> edges = edgesOf(first, isWanted);
             if (!edges)
                 return edges.error();
-            std::vector<std::uint8_t> bytes;
-            for (float likelihood : movingLikelihood(ownMotion(mShot, t), *edges, mShot.width))
-                bytes.push_back(std::uint8_t(std::clamp(255.0f * likelihood, 0.0f, 255.0f)));
-            mObjects.push_back(std::move(bytes));
+            parallelFor(0, isWanted.size(), [&](std::size_t i) {
+                if (!isWanted[i] || mControl.isCancelled())
+                    return;
+                std::vector<std::uint8_t> &bytes = mObjects[std::size_t(first) + i];
+                const OwnMotion motion = ownMotion(mShot, first + int(i));
+                for (float likelihood : movingLikelihood(motion, (*edges)[i], mShot.width))
+                    bytes.push_back(std::uint8_t(std::clamp(255.0f * likelihood, 0.0f, 255.0f)));
+            });
+            if (mControl.isCancelled())
+                return cancelledError(attempted);
+            for (std::size_t i = 0; i < isWanted.size(); ++i)
+                if (isWanted[i])
+                    if (Result<void> kept = keepMoving(first + int(i)); !kept)
+                        return kept;
+            mShot.forgetPages(first - mostReach - batch, first - mostReach);
         }
+        mShot.forgetPages(0, mFrames);
         voteAlongFlow(mShot, mObjects);
         mObjects = numberedObjects(mShot, mObjects);
         return {};
     }
 
-    Result<std::vector<float>> stillDisparities(int frame, const std::vector<float> &before)
+    bool takeMoving(int frame)
+    {
+        if (!mStore)
+            return false;
+        const std::shared_ptr<const MappedFile> file = mStore->read(RecordKind::Moving, frame);
+        if (!file)
+            return false;
+        RecordReader reader(file);
+        const SharedArray<std::uint8_t> bytes = reader.array<std::uint8_t>(mGrid.cellCount());
+        if (reader.failed()) {
+            mStore->refuse(RecordKind::Moving, frame);
+            return false;
+        }
+        mObjects[std::size_t(frame)].assign(bytes.begin(), bytes.end());
+        return true;
+    }
+
+    Result<void> keepMoving(int frame)
+    {
+        if (!mStore)
+            return {};
+        RecordWriter record;
+        record.add<std::uint8_t>(mObjects[std::size_t(frame)]);
+        const auto written = mStore->write(RecordKind::Moving, frame, record);
+        return written ? Result<void>() : Result<void>(written.error());
+    }
+
+    // Depth of what stands still in all frames, and where objects touch it.
+    Result<void> findStill()
+    {
+        mContacts.reserve(std::size_t(mFrames));
+        std::vector<float> before;
+        for (int first = 0; first < mFrames; first += batch) {
+            mControl.progress(0.4 + 0.55 * double(first) / mFrames, attempted);
+            const int count = std::min(batch, mFrames - first);
+            std::vector<std::optional<DepthMap>> maps;
+            std::vector<bool> isWanted;
+            for (int t = first; t < first + count; ++t) {
+                maps.push_back(takeMap(RecordKind::Still, t));
+                isWanted.push_back(!maps.back());
+            }
+            Result<std::vector<StillFrame>> frames = stillFrames(first, isWanted);
+            if (!frames)
+                return frames.error();
+            for (int i = 0; i < count; ++i) {
+                const int t = first + i;
+                std::optional<DepthMap> &map = maps[std::size_t(i)];
+                if (!map)
+                    map = depthMapOf(mGrid.width, mGrid.height, mGrid.cellSize,
+                                     stillOf(t, (*frames)[std::size_t(i)], before));
+                // As it is kept, so that a run that goes on finds the same.
+                before = disparitiesOf(*map);
+                mContacts.push_back(
+                    contactDisparities(mObjects[std::size_t(t)], before, mGrid.width, mGrid.height));
+                if (Result<void> kept = keepStill(t, std::move(*map), isWanted[std::size_t(i)]); !kept)
+                    return kept;
+            }
+            mShot.forgetPages(first - mostReach - batch, first - mostReach);
+        }
+        mShot.forgetPages(0, mFrames);
+        return {};
+    }
+
+    Result<std::vector<StillFrame>> stillFrames(int first, const std::vector<bool> &isWanted)
+    {
+        std::vector<StillFrame> frames(isWanted.size());
+        if (mShot.knowledge != CameraKnowledge::SolvedCameras)
+            return frames;
+        Result<std::vector<EdgeWeights>> edges = edgesOf(first, isWanted);
+        if (!edges)
+            return edges.error();
+        parallelFor(0, isWanted.size(), [&](std::size_t i) {
+            if (isWanted[i] && !mControl.isCancelled())
+                frames[i] = stillFrame(mShot, first + int(i), std::move((*edges)[i]),
+                                       mObjects[std::size_t(first) + i]);
+        });
+        if (mControl.isCancelled())
+            return cancelledError(attempted);
+        return frames;
+    }
+
+    std::vector<float> stillOf(int frame, const StillFrame &still, const std::vector<float> &before) const
     {
         if (mShot.knowledge != CameraKnowledge::SolvedCameras)
             return guessedDisparities(mShot, frame, mGrid);
-        const Result<EdgeWeights> edges = edgesOf(frame);
-        if (!edges)
-            return edges.error();
-        const double usual = 1.0 / mShot.sceneDepth;
-        const StaticDepth measured = staticDepth(mShot, frame, usual);
-        std::vector<float> weights = weightsOf(measured, mObjects[std::size_t(frame)], usual);
-        std::vector<float> wide = smoothed(*edges, measured.inverseDepths, weights, {600.0, 3});
-        // What is unlike its surroundings was measured wrongly: flow slips at silhouettes.
-        for (std::size_t i = 0; i < weights.size(); ++i) {
-            const double odd = double(measured.inverseDepths[i] - wide[i]) /
-                               (oddDeviation * std::max(double(wide[i]), 0.3 * usual));
-            weights[i] *= float(1.0 / (1.0 + odd * odd));
-        }
-        distrustFloating(measured.inverseDepths, wide, mGrid.width, mGrid.height, usual, weights);
-        wide = smoothed(*edges, measured.inverseDepths, weights, {600.0, 3});
-        const std::vector<float> past = carried(frame, before);
-        std::vector<float> values(weights.size());
-        for (std::size_t i = 0; i < weights.size(); ++i) {
-            const float pastShare = past.empty() || past[i] <= 0.0f ? 0.0f : pastWeight;
-            const float sum = weights[i] + wideWeight + pastShare;
-            values[i] = (weights[i] * measured.inverseDepths[i] + wideWeight * wide[i] +
-                         (pastShare > 0.0f ? pastShare * past[i] : 0.0f)) /
-                        sum;
-            weights[i] = sum;
-        }
-        std::vector<float> still = smoothed(*edges, values, weights, {4.0, 2});
-        for (float &disparity : still)
-            disparity = std::max(disparity, float(leastDisparityShare * usual));
-        return still;
+        return stillDisparities(mShot, frame, still, mObjects[std::size_t(frame)], before);
     }
 
-    std::vector<float> weightsOf(const StaticDepth &measured, const std::vector<std::uint8_t> &objects,
-                                 double usual) const
+    std::optional<DepthMap> takeMap(RecordKind kind, int frame)
     {
-        const double mostMiss = mostStillMiss * std::max(0.6, mShot.width / 854.0);
-        std::vector<float> weights;
-        for (std::size_t i = 0; i < objects.size(); ++i) {
-            const double inverse = double(measured.inverseDepths[i]);
-            const double spread = double(measured.spreads[i]);
-            const double share = spread / std::max(usual, inverse);
-            const bool isMeasured = std::isfinite(spread) && inverse < mNearest && inverse > -2.0 * spread;
-            const bool isStill =
-                objects[i] == 0 && measured.misses[i] >= 0.0f && double(measured.misses[i]) < mostMiss;
-            weights.push_back(isMeasured && isStill
-                                  ? float(1.0 / (1.0 + share * share / (goodSpread * goodSpread)))
-                                  : 0.0f);
+        const std::shared_ptr<const MappedFile> file = mStore ? mStore->read(kind, frame) : nullptr;
+        if (!file)
+            return std::nullopt;
+        RecordReader reader(file);
+        std::optional<DepthMap> map = depthFrom(reader);
+        if (!map || map->width != mGrid.width || map->height != mGrid.height) {
+            mStore->refuse(kind, frame);
+            return std::nullopt;
         }
-        return weights;
+        return map;
     }
 
-    // What the frame before says, moved along with the flow and seen from here; 0 where it says nothing.
-    std::vector<float> carried(int frame, const std::vector<float> &before) const
+    Result<void> keepStill(int frame, DepthMap map, bool isNew)
     {
-        if (before.empty())
+        if (!mStore) {
+            mShot.depths.push_back(std::move(map));
             return {};
-        const FlowField &back = mShot.backward[std::size_t(frame) - 1];
-        const ShotCamera &here = mShot.cameras[std::size_t(frame)];
-        const ShotCamera &there = mShot.cameras[std::size_t(frame) - 1];
-        std::vector<float> disparities(before.size(), 0.0f);
-        for (std::size_t i = 0; i < before.size(); ++i) {
-            if (back.confidences[i] < 0.5f || mObjects[std::size_t(frame)][i] != 0)
-                continue;
-            const Vec2 pixel((double(i % std::size_t(mGrid.width)) + 0.5) * mGrid.cellSize,
-                             (double(i / std::size_t(mGrid.width)) + 0.5) * mGrid.cellSize);
-            const Vec2 origin = pixel + back.motions[i].cast<double>();
-            const int x = std::clamp(int(origin.x() / mGrid.cellSize), 0, mGrid.width - 1);
-            const int y = std::clamp(int(origin.y() / mGrid.cellSize), 0, mGrid.height - 1);
-            const std::size_t cell = std::size_t(y) * std::size_t(mGrid.width) + std::size_t(x);
-            const double depth = here.depthOf(there.unprojected(origin, 1.0 / double(before[cell])));
-            if (depth > 0.0)
-                disparities[i] = float(1.0 / depth);
         }
-        return disparities;
+        if (!isNew)
+            return {};
+        const auto written = mStore->write(RecordKind::Still, frame, recordOf(map));
+        return written ? Result<void>() : Result<void>(written.error());
     }
 
-    void putObjects(DepthMap &map, const std::vector<std::uint8_t> &objects,
-                    const ObjectDisparities &disparities) const
+    Result<void> putDepth(int frame)
     {
-        std::vector<float> all;
-        for (std::size_t i = 0; i < objects.size(); ++i)
-            all.push_back(objects[i] != 0 && disparities[objects[i]] > 0.0f ? disparities[objects[i]]
-                                                                            : float(map.cellDisparity(i)));
-        map = depthMapOf(map.width, map.height, map.cellSize, all);
-        map.objects = objects;
+        const std::size_t t = std::size_t(frame);
+        if (!mStore) {
+            mShot.depths[t] = withObjects(mShot.depths[t], mObjects[t], mContacts[t]);
+            return {};
+        }
+        const std::optional<DepthMap> still = takeMap(RecordKind::Still, frame);
+        if (!still)
+            return Error{ErrorCode::WriteFailed, attempted, "what was just found is gone from the cache",
+                         "Try again", ""};
+        const Result<std::shared_ptr<const MappedFile>> file =
+            mStore->write(RecordKind::Depth, frame, recordOf(withObjects(*still, mObjects[t], mContacts[t])));
+        if (!file)
+            return file.error();
+        RecordReader reader(*file);
+        std::optional<DepthMap> map = depthFrom(reader);
+        DUCTUS_ASSERT(map);
+        mShot.depths.push_back(std::move(*map));
+        mShot.depthFiles.push_back(*file);
+        mShot.forgetPages(frame, frame);
+        return {};
     }
 
     Clip &mClip;
-    int mMostLines;
-    double mNearest; // inverse depth: what seems nearer was measured wrongly
+    const ShotOptions &mOptions;
+    ShotStore *mStore;
     Shot &mShot;
     const JobControl &mControl;
-    const FlowField &mGrid;
+    const CompactFlow mGrid;
+    int mFrames;
     std::vector<std::vector<std::uint8_t>> mObjects; // first likelihoods, then numbers; one a frame
+    std::vector<ObjectDisparities> mContacts;        // one a frame
 };
 
 } // namespace
 
-Result<void> findDepth(Clip &clip, const std::vector<std::optional<HomogeneousPoint>> &points, int mostLines,
-                       Shot &shot, const JobControl &control)
+bool takeDepth(ShotStore &store, Shot &shot)
 {
-    shot.depths.clear();
-    double nearest = 10.0 / shot.sceneDepth; // inverse depth
+    std::vector<DepthMap> depths;
+    std::vector<std::shared_ptr<const MappedFile>> files;
     if (shot.forward.empty())
-        return {}; // a single picture: all of it at the scene's depth
-    if (shot.knowledge == CameraKnowledge::SolvedCameras) {
-        const DepthRange range = depthRange(shot, points);
-        if (range.usual > 0.0) {
-            for (ShotCamera &camera : shot.cameras)
-                camera.worldFromCamera.translation() *= range.usual * shot.sceneDepth;
-            nearest = beyondPoints * range.most / (range.usual * shot.sceneDepth);
+        return true; // a single picture: all of it at the scene's depth
+    const CompactFlow &grid = shot.forward.front();
+    for (int t = 0; t < shot.frameCount(); ++t) {
+        std::shared_ptr<const MappedFile> file = store.read(RecordKind::Depth, t);
+        if (!file)
+            return false;
+        RecordReader reader(file);
+        std::optional<DepthMap> map = depthFrom(reader);
+        if (!map || map->width != grid.width || map->height != grid.height) {
+            store.refuse(RecordKind::Depth, t);
+            return false;
         }
+        file->forgetPages();
+        depths.push_back(std::move(*map));
+        files.push_back(std::move(file));
     }
-    return DepthFinder(clip, mostLines, nearest, shot, control).find();
+    shot.depths = std::move(depths);
+    shot.depthFiles = std::move(files);
+    return true;
+}
+
+Result<void> findDepth(Clip &clip, const ShotOptions &options, ShotStore *store, Shot &shot,
+                       const JobControl &control)
+{
+    if (shot.forward.empty() || (store && takeDepth(*store, shot)))
+        return {};
+    if (options.report)
+        options.report->depthsMade = shot.frameCount();
+    return DepthFinder(clip, options, store, shot, control).find();
 }
 
 } // namespace ductus

@@ -3,15 +3,17 @@
 #pragma once
 
 #include "base/job_control.h"
-#include "doodling/reconstruction/cameras/camera_fit.h"
+#include "doodling/cache/shot_store.h"
 #include "doodling/reconstruction/shot.h"
 
 namespace ductus {
 
-/// Fills shot.depths and scales the scene so that its usual depth is shot.sceneDepth. \a points are those
-/// that stand still, world, as the cameras were solved with them. Reads the clip once more, for what looks
-/// alike.
-Result<void> findDepth(Clip &clip, const std::vector<std::optional<HomogeneousPoint>> &points, int mostLines,
-                       Shot &shot, const JobControl &control);
+/// Fills shot.depths. Reads the clip twice more, for what looks alike. What is in \a store is taken from
+/// there, what is not is put there; null: all is held in memory.
+Result<void> findDepth(Clip &clip, const ShotOptions &options, ShotStore *store, Shot &shot,
+                       const JobControl &control);
+
+/// Everything is in the store: fills shot.depths. False if anything is missing.
+bool takeDepth(ShotStore &store, Shot &shot);
 
 } // namespace ductus

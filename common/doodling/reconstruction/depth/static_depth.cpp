@@ -42,10 +42,10 @@ StaticDepth staticDepth(const Shot &shot, int frame, double usualInverseDepth,
             sightings.push_back(std::move(places));
     }
     const ShotCamera &camera = shot.cameras[std::size_t(frame)];
-    const FlowField &grid = shot.forward.front();
+    const CompactFlow &grid = shot.forward.front();
     StaticDepth depth;
     std::vector<RaySighting> rays;
-    for (std::size_t cell = 0; cell < grid.motions.size(); ++cell) {
+    for (std::size_t cell = 0; cell < grid.cellCount(); ++cell) {
         rays.clear();
         for (const ChainedPlaces &places : sightings) {
             if (places.trusts[cell] <= 0.0f)
@@ -54,8 +54,7 @@ StaticDepth staticDepth(const Shot &shot, int frame, double usualInverseDepth,
             rays.push_back({&shot.cameras[std::size_t(places.frame)], places.pixels[cell].cast<double>(),
                             double(places.trusts[cell]) / (1.0 + 0.1 * steps)});
         }
-        const Vec2 pixel((double(cell % std::size_t(grid.width)) + 0.5) * grid.cellSize,
-                         (double(cell / std::size_t(grid.width)) + 0.5) * grid.cellSize);
+        const Vec2 pixel = grid.cellMiddle(cell);
         const InverseDepthFit fit =
             rays.empty() ? InverseDepthFit() : fitInverseDepth(camera, pixel, rays, usualInverseDepth, 1.0);
         const bool isKnown = fit.information > 1e-9 && std::isfinite(fit.inverseDepth);
