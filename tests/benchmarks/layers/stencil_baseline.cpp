@@ -1,5 +1,6 @@
 #include "benchmarks/layers/stencil_baseline.h"
 
+#include "painting/blend/blend.h"
 #include "render/gl/gl_error.h"
 
 #include <cmath>
@@ -26,10 +27,25 @@ void main() { outColour = vec4(vColour, 1.0); }
 const char *copyVertex = R"(#version 430 core
 void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }
 )";
-const char *copyFragment = R"(#version 430 core
+// Normal, multiply, screen, overlay, in the formulas of the prototype, of what the frame was before.
+const char *blendFragment = R"(#version 430 core
 layout(binding = 0) uniform sampler2D layer;
+layout(binding = 1) uniform sampler2D before;
+uniform int mode;
+uniform float opacity;
 out vec4 outColour;
-void main() { outColour = texelFetch(layer, ivec2(gl_FragCoord.xy), 0); }
+void main()
+{
+    vec4 s = texelFetch(layer, ivec2(gl_FragCoord.xy), 0);
+    vec3 b = texelFetch(before, ivec2(gl_FragCoord.xy), 0).rgb, c = s.rgb / max(s.a, 1e-4);
+    if (mode == 1)
+        c = b * c;
+    else if (mode == 2)
+        c = b + c - b * c;
+    else if (mode == 3)
+        c = mix(1.0 - 2.0 * (1.0 - b) * (1.0 - c), 2.0 * b * c, lessThanEqual(b, vec3(0.5)));
+    outColour = vec4(c, 1.0) * s.a * opacity;
+}
 )";
 
 GlProgram program(const char *vertexText, const char *fragmentText)
@@ -58,6 +74,7 @@ struct TubeMesh
         const std::size_t count = stroke.points.size();
         for (std::size_t i = 0; i < count; ++i) {
             const PaintedPoint &point = stroke.points[i];
+            const Vec3 colour = toBlendSpace(BlendSpace::Encoded, point.colour.cast<double>());
             const Vec3 tangent = (stroke.points[std::min(i + 1, count - 1)].position -
                                   stroke.points[i > 0 ? i - 1 : 0].position)
                                      .cast<double>()
@@ -67,8 +84,8 @@ struct TubeMesh
                 const double angle = 2 * std::numbers::pi * k / sides;
                 const Vec3 at = point.position.cast<double>() +
                                 double(point.halfWidth) * (std::cos(angle) * u + std::sin(angle) * v);
-                for (const float value : {float(at[0]), float(at[1]), float(at[2]), point.colour[0],
-                                          point.colour[1], point.colour[2]})
+                for (const float value : {float(at[0]), float(at[1]), float(at[2]), float(colour[0]),
+                                          float(colour[1]), float(colour[2])})
                     vertices.push_back(value);
             }
         }
@@ -114,7 +131,12 @@ Result<StencilBaseline> StencilBaseline::create(const Painting &painting, int wi
     };
     made.mSubstrate = addLayer(*painting.stacks[0].substrate);
     for (const Layer &layer : painting.stacks[0].appearance)
-        made.mLayers.push_back(addLayer(layer));
+        made.mLayers.push_back({addLayer(layer),
+                                layer.properties.blendMode == BlendMode::Multiply  ? 1
+                                : layer.properties.blendMode == BlendMode::Screen  ? 2
+                                : layer.properties.blendMode == BlendMode::Overlay ? 3
+                                                                                   : 0,
+                                float(layer.properties.opacity)});
 
     made.mVertices = GlBuffer::create();
     made.mIndices = GlBuffer::create();
@@ -133,12 +155,14 @@ Result<StencilBaseline> StencilBaseline::create(const Painting &painting, int wi
     }
     glBindVertexArray(0);
     made.mTubes = program(tubeVertex, tubeFragment);
-    made.mCopy = program(copyVertex, copyFragment);
+    made.mBlend = program(copyVertex, blendFragment);
 
     made.mColour = GlTexture::create();
+    made.mCopy = GlTexture::create();
     made.mLayer = GlTexture::create();
     made.mDepth = GlTexture::create();
     storeTexture(made.mColour, GL_RGBA8, width, height);
+    storeTexture(made.mCopy, GL_RGBA8, width, height);
     storeTexture(made.mLayer, GL_RGBA8, width, height);
     storeTexture(made.mDepth, GL_DEPTH24_STENCIL8, width, height);
     for (const auto &[target, colour] :
@@ -154,7 +178,7 @@ Result<StencilBaseline> StencilBaseline::create(const Painting &painting, int wi
     return made;
 }
 
-void StencilBaseline::draw(const FrameCamera &camera)
+void StencilBaseline::draw(const FrameCamera &camera, bool withLayers)
 {
     Eigen::Matrix4d clip = Eigen::Matrix4d::Zero();
     const double near = 0.05, far = 100;
@@ -188,13 +212,15 @@ void StencilBaseline::draw(const FrameCamera &camera)
         drawRange(range);
     glDepthMask(GL_FALSE);
 
-    for (const std::vector<Range> &layer : mLayers) {
+    for (const LayerRanges &layer : mLayers) {
+        if (!withLayers)
+            break;
         glBindFramebuffer(GL_FRAMEBUFFER, mLayerTarget.name());
         glClear(GL_COLOR_BUFFER_BIT);
         glBindVertexArray(mArray.name());
         glUseProgram(mTubes.name());
         glEnable(GL_STENCIL_TEST);
-        for (const Range &range : layer) {
+        for (const Range &range : layer.strokes) {
             glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE); // 1: nothing is marked here
             glStencilMask(0xc0);
             glDepthFunc(GL_ALWAYS);
@@ -220,14 +246,7 @@ void StencilBaseline::draw(const FrameCamera &camera)
         }
         glDisable(GL_STENCIL_TEST);
         glDisable(GL_DEPTH_TEST);
-        glBindFramebuffer(GL_FRAMEBUFFER, mTarget.name());
-        glUseProgram(mCopy.name());
-        glBindVertexArray(mNothing.name());
-        glActiveTexture(GL_TEXTURE0);
-        glBindTexture(GL_TEXTURE_2D, mLayer.name());
-        glEnable(GL_BLEND);
-        glDrawArrays(GL_TRIANGLES, 0, 3);
-        glDisable(GL_BLEND);
+        composite(layer);
         glEnable(GL_DEPTH_TEST);
     }
     glDepthMask(GL_TRUE);
@@ -235,6 +254,26 @@ void StencilBaseline::draw(const FrameCamera &camera)
     glDisable(GL_STENCIL_TEST);
     glStencilMask(0xff);
     glDepthFunc(GL_LESS);
+}
+
+// Two whole-frame passes a layer, as the prototype does it: the frame is copied, the layer blended onto it.
+void StencilBaseline::composite(const LayerRanges &layer)
+{
+    glCopyImageSubData(mColour.name(), GL_TEXTURE_2D, 0, 0, 0, 0, mCopy.name(), GL_TEXTURE_2D, 0, 0, 0, 0,
+                       mWidth, mHeight, 1);
+    glBindFramebuffer(GL_FRAMEBUFFER, mTarget.name());
+    glUseProgram(mBlend.name());
+    glUniform1i(glGetUniformLocation(mBlend.name(), "mode"), layer.mode);
+    glUniform1f(glGetUniformLocation(mBlend.name(), "opacity"), layer.opacity);
+    glBindVertexArray(mNothing.name());
+    glActiveTexture(GL_TEXTURE1);
+    glBindTexture(GL_TEXTURE_2D, mCopy.name());
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, mLayer.name());
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDisable(GL_BLEND);
 }
 
 } // namespace ductus

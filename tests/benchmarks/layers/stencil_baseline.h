@@ -14,8 +14,8 @@ class StencilBaseline
 public:
     static Result<StencilBaseline> create(const Painting &painting, int width, int height);
 
-    /// Into its own framebuffer.
-    void draw(const FrameCamera &camera);
+    /// Into its own framebuffer. \a withLayers false: the shapes alone.
+    void draw(const FrameCamera &camera, bool withLayers = true);
     GLuint framebuffer() const { return mTarget.name(); }
 
 private:
@@ -27,11 +27,19 @@ private:
 
     int mWidth = 0, mHeight = 0;
     std::vector<Range> mSubstrate;
-    std::vector<std::vector<Range>> mLayers;
+    struct LayerRanges
+    {
+        std::vector<Range> strokes;
+        int mode = 0; // copyFragment
+        float opacity = 1;
+    };
+    void composite(const LayerRanges &layer);
+
+    std::vector<LayerRanges> mLayers;
     GlBuffer mVertices, mIndices;
     GlVertexArray mArray, mNothing;
-    GlProgram mTubes, mCopy;
-    GlTexture mColour, mLayer, mDepth;
+    GlProgram mTubes, mBlend;
+    GlTexture mColour, mCopy, mLayer, mDepth;
     GlFramebuffer mTarget, mLayerTarget;
 };
 

@@ -2,8 +2,10 @@
 
 #include "base/random.h"
 
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
 namespace ductus {
 
@@ -43,8 +45,15 @@ StrokeScene strokeScene(int strokes, int layers, std::uint64_t seed, double size
     stack.id.value = painting.nextId++;
     stack.name = "ground";
     stack.substrate = layer("ground");
-    for (int i = 0; i < layers; ++i)
-        stack.appearance.push_back(layer("layer " + std::to_string(i)));
+    // As painters use them: plain colour, shade, light, mood.
+    constexpr std::array<std::pair<BlendMode, double>, 4> uses{{{BlendMode::Normal, 1},
+                                                                {BlendMode::Multiply, 0.7},
+                                                                {BlendMode::Screen, 0.5},
+                                                                {BlendMode::Overlay, 0.6}}};
+    for (int i = 0; i < layers; ++i) {
+        Layer &made = stack.appearance.emplace_back(layer("layer " + std::to_string(i)));
+        std::tie(made.properties.blendMode, made.properties.opacity) = uses[std::size_t(i) % uses.size()];
+    }
     Random random(seed);
     const double spacing = size / std::sqrt(double(strokes)); // so that they cover the ground about twice
     for (int i = 0; i < strokes; ++i) {
