@@ -78,7 +78,8 @@ struct StudioUnderTest
 
     StudioUnderTest()
     {
-        qputenv("XDG_STATE_HOME", folder.filePath("state").toUtf8()); // nothing of the user's own is offered
+        // Nothing of the user's own is offered; tests of recovery name a folder that outlives a program.
+        qputenv("XDG_STATE_HOME", qEnvironmentVariable("DUCTUS_STATE", folder.filePath("state")).toUtf8());
         qputenv("XDG_CACHE_HOME", folder.filePath("cache").toUtf8()); // nor taken
         settings.setRaw(QStringLiteral("appearance/theme"), qEnvironmentVariable("DUCTUS_THEME", "dark"));
         window = std::make_unique<StudioWindow>(ShellServices{&settings, &jobs, &actions});

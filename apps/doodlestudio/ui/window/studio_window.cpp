@@ -32,6 +32,11 @@ StudioWindow::StudioWindow(const ShellServices &services, QWidget *parent)
       mFollower(mDoodle, *services.jobs), mState(mDoodle, mFollower), mHandles(mState), mOcclusion(mState),
       mCanvases(mState), mHand(mState), mDirect(mState, mHand), mPreview(mState, mFrames),
       mUnsaved(*this, mDoodle, stateFolder(QStringLiteral("doodlestudio"), QStringLiteral("autosave"))),
+      mLog(mDoodle, *services.actions,
+           [this] {
+               const Canvas *canvas = mState.chosenCanvas();
+               return LogPlace{canvas ? QString::fromStdString(canvas->name) : QString(), mState.frame()};
+           }),
       mRecent(*services.settings,
               QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + QStringLiteral("/recent"))
 {
@@ -41,6 +46,7 @@ StudioWindow::StudioWindow(const ShellServices &services, QWidget *parent)
     addPlayActions();
     addCanvasActions();
     addDrawingActions();
+    addLogActions();
     fillMenus();
     fillInspector();
     fillStartPage();

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "document/settings/recent_files.h"
+#include "doodlestudio/document/action_log.h"
 #include "doodlestudio/document/clip_opening.h"
 #include "doodlestudio/document/doodle_document.h"
 #include "doodlestudio/ui/canvases/canvas_layer.h"
@@ -51,6 +52,8 @@ public:
     CanvasPanel &canvasPanel() { return *mCanvasPanel; }
     DrawingPanel &drawing() { return *mDrawing; }
     FilmPreview &preview() { return mPreview; }
+    UnsavedWork &unsavedWork() { return mUnsaved; }
+    ActionLog &actionLog() { return mLog; }
 
     StudioStep step() const;
     void setStep(StudioStep step);
@@ -65,6 +68,8 @@ public:
     void packAnalysis(bool packs);
     /// The dialog that makes films; shown.
     ExportDialog *openExport();
+    /// What was done since the log was turned on, a line of JSON an act.
+    void saveActionLog(const QString &path);
 
 signals:
     /// A clip is there and its first picture is shown.
@@ -78,6 +83,7 @@ private:
     void addPlayActions();
     void addCanvasActions();
     void addDrawingActions();
+    void addLogActions();
     void fillInspector();
     void connectTimeline();
     void applyStep();
@@ -118,6 +124,7 @@ private:
     FilmPreview mPreview;
     Playback mPlayback;
     UnsavedWork mUnsaved;
+    ActionLog mLog;
     RecentFiles mRecent;
     SegmentedSwitch *mSteps = nullptr;
     QSplitter *mSplitter = nullptr;
