@@ -58,7 +58,12 @@ void waitAndSignal(QProcess &process, const RunOptions &options, ProgramRun &run
 
 ProgramRun runSketchSurfacer(const QStringList &arguments, const RunOptions &options)
 {
-    QStringList command = options.prefix + QStringList(QStringLiteral(DUCTUS_SKETCHSURFACER)) + arguments;
+    return runProgram(QStringLiteral(DUCTUS_SKETCHSURFACER), arguments, options);
+}
+
+ProgramRun runProgram(const QString &program, const QStringList &arguments, const RunOptions &options)
+{
+    QStringList command = options.prefix + QStringList(program) + arguments;
     QProcess process;
     process.setProgram(command.takeFirst());
     process.setArguments(command);

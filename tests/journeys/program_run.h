@@ -1,4 +1,4 @@
-// Starts sketchsurfacer the way a shell does and tells what it said and how it ended.
+// Starts the programs the way a shell does and tells what it said and how it ended.
 #pragma once
 
 #include <QByteArray>
@@ -38,6 +38,9 @@ struct ProgramRun
     /// For failure output: exit code and everything said.
     QByteArray told() const;
 };
+
+/// `PROGRAM ARGUMENTS`, waited for.
+ProgramRun runProgram(const QString &program, const QStringList &arguments, const RunOptions &options = {});
 
 /// `sketchsurfacer ARGUMENTS`, waited for.
 ProgramRun runSketchSurfacer(const QStringList &arguments, const RunOptions &options = {});
