@@ -7,11 +7,26 @@
 
 namespace ductus {
 
+namespace {
+
+constexpr double roomAround = 0.35; // tangent of the angle: 20 degrees
+
+} // namespace
+
 Vec3 freeDirection(const ViewMark &mark, const RayTree &tree, const Vec3 &present, double beside)
 {
+    // With some room around: what is seen along the surface is hardly seen.
+    const auto isFreeFrom = [&](const Vec3 &place, const Vec3 &direction, double from) {
+        const Vec3 aside = roomAround * direction.unitOrthogonal(), across = direction.cross(aside);
+        for (const Vec3 &tilted : {direction, Vec3(direction + aside), Vec3(direction - aside),
+                                   Vec3(direction + across), Vec3(direction - across)})
+            if (tree.isBlocked(place, tilted.normalized(), from, 1e300))
+                return false;
+        return true;
+    };
     const auto isFree = [&](const Vec3 &direction) {
-        return !tree.isBlocked(mark.at, direction, beside, 1e300) ||
-               (mark.other && !tree.isBlocked(mark.centre(), direction, 0.0, 1e300));
+        return isFreeFrom(mark.at, direction, beside) ||
+               (mark.other && isFreeFrom(mark.centre(), direction, 0.0));
     };
     if (tree.isEmpty() || isFree(present))
         return present;
