@@ -82,7 +82,7 @@ Result<HermiteField> wholeShapeField(const std::vector<Vec3> &strokePoints, cons
     return fit->field;
 }
 
-Result<TriangleMesh> surfaceOfField(const ScalarField &field, const std::vector<Vec3> &seeds,
+Result<FieldSurface> surfaceOfField(const ScalarField &field, const std::vector<Vec3> &seeds,
                                     const Wrap &wrap, bool isOpen, double cell, const ProxyOptions &options,
                                     const JobControl &control)
 {
@@ -96,9 +96,8 @@ Result<TriangleMesh> surfaceOfField(const ScalarField &field, const std::vector<
     // there.
     const ScalarField capped = [&](const Vec3 &x) { return std::max(field(x), neighbourhood(x)); };
     Result<TriangleMesh> contour = contourFromSeeds(capped, seeds, box, {cell, 3'000'000, 2}, control);
-    if (!contour || !isOpen)
-        return contour;
-
+    if (!contour)
+        return contour.error();
     TriangleMesh open = *contour;
     open.triangles.clear();
     for (int t = 0; t < contour->triangleCount(); ++t) {
@@ -107,12 +106,19 @@ Result<TriangleMesh> surfaceOfField(const ScalarField &field, const std::vector<
         if (!isCap)
             open.triangles.push_back(contour->triangles[std::size_t(t)]);
     }
+    const double cappedShare = 1.0 - surfaceArea(open) / surfaceArea(*contour);
+    if (!isOpen)
+        return FieldSurface{std::move(*contour), cappedShare};
+
     Result<TriangleMesh> sheet = repaired(withoutStrayComponents(compacted(open), seeds));
     if (!sheet)
-        return sheet;
+        return sheet.error();
     const std::vector<std::vector<int>> loops = borderLoops(*sheet);
-    return loops.empty() ? *sheet
-                         : withHolesFilled(*sheet, options.holeShare * loopLength(*sheet, loops.front()));
+    if (!loops.empty())
+        sheet = withHolesFilled(*sheet, options.holeShare * loopLength(*sheet, loops.front()));
+    if (!sheet)
+        return sheet.error();
+    return FieldSurface{std::move(*sheet), cappedShare};
 }
 
 } // namespace ductus

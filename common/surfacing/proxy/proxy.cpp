@@ -1,15 +1,11 @@
 #include "surfacing/proxy/proxy.h"
 
-#include "base/parallel.h"
 #include "geometry/mesh_topology.h"
 #include "geometry/remesh.h"
 #include "strokes/resample.h"
-#include "surfacing/proxy/field_surface.h"
-#include "surfacing/proxy/flat_ends.h"
 #include "surfacing/proxy/least_squares_mesh.h"
-#include "surfacing/proxy/local/local_fit.h"
 #include "surfacing/proxy/point_subset.h"
-#include "surfacing/proxy/proxy_quality.h"
+#include "surfacing/proxy/rungs.h"
 #include "surfacing/proxy/variational_fit.h"
 
 #include <algorithm>
@@ -55,57 +51,61 @@ Result<TriangleMesh> finished(const TriangleMesh &rough, const std::vector<Vec3>
     return remeshed(*mesh, {evenEdgeLength(*mesh, options.targetVertices), 1, 0.0}, control.part(0.8, 1.0));
 }
 
-// Points carried onto a surface they lie near, along its normals.
-std::vector<Vec3> ontoSurface(const std::vector<Vec3> &points, const LocalField &field)
+// Looser wraps than \a wrap, evenly spread over the family, its neighbour first.
+std::vector<double> looserAlphas(const Wrap &wrap, const ProxyOptions &options)
 {
-    std::vector<Vec3> result(points.size());
-    parallelFor(0, points.size(), [&](std::size_t i) {
-        result[i] = points[i] - field.value(points[i]) * field.normal(points[i]);
-    }, 64);
-    return result;
+    std::vector<double> looser;
+    for (const double alpha : options.wrap.alphas)
+        if (alpha > wrap.alpha)
+            looser.push_back(alpha);
+    std::sort(looser.begin(), looser.end());
+    const std::size_t step = (looser.size() + std::size_t(options.disorder.looserWraps) - 1) /
+                             std::size_t(options.disorder.looserWraps);
+    std::vector<double> some;
+    for (std::size_t i = step; step > 0 && i <= looser.size(); i += step)
+        some.push_back(looser[i - 1]);
+    return some;
 }
 
-// A contour, and where the finished proxy is drawn to.
-struct Rung
+struct Candidate
 {
-    TriangleMesh mesh;
-    std::vector<Vec3> targets;
+    ProxyGround ground;
+    Result<ProxyRung> rung;
+
+    bool isBetterThan(const Candidate &other) const
+    {
+        return rung && (!other.rung || rung->disorder < other.rung->disorder);
+    }
 };
 
-Result<Rung> denseRung(const std::vector<Vec3> &points, const Wrap &wrap, bool isOpen, double lambda,
-                       const ProxyOptions &options, const JobControl &control)
+// A wrap that has fallen in between strokes far apart puts points of a surface inside the shape, and the
+// field turns inside out there: a solid's contour then runs out of the neighbourhood. A looser wrap holds it
+// where nothing is drawn.
+Candidate calmest(ProxyKind kind, const ProxyGround &ground, const StrokeSet &strokes,
+                  const std::vector<Vec3> &drawn, double lambda, const ProxyOptions &options,
+                  const JobControl &control)
 {
-    const Result<HermiteField> field = wholeShapeField(points, wrap, isOpen, lambda, options, control.part(0.0, 0.5));
-    if (!field)
-        return field.error();
-    Result<TriangleMesh> mesh =
-        surfaceOfField([&](const Vec3 &x) { return field->value(x); }, points, wrap, isOpen,
-                       1.0 / options.cellsAlongDiagonal, options, control.part(0.5, 1.0));
-    if (!mesh)
-        return mesh.error();
-    return Rung{std::move(*mesh), points};
-}
-
-Result<Rung> localRung(const std::vector<Vec3> &points, const Wrap &wrap, bool isOpen, double lambda,
-                       const ProxyOptions &options, const JobControl &control)
-{
-    const Result<HermiteField> rough = wholeShapeField(points, wrap, isOpen, lambda, options, control.part(0.0, 0.2));
-    if (!rough)
-        return rough.error();
-    double spacing = options.leastLocalSpacing;
-    std::vector<Vec3> spread = spreadOut(points, spacing);
-    while (int(spread.size()) > options.mostLocalPoints)
-        spread = spreadOut(spread, spacing *= 1.25);
-    const Result<LocalFit> fit = fitLocally(spread, *rough, options.local, control.part(0.2, 0.7));
-    if (!fit)
-        return fit.error();
-    // As fine as the points are close, within reason.
-    const double cell = std::clamp(1.3 * medianSpacing(spread), 1.0 / 250, 1.0 / options.cellsAlongDiagonal);
-    Result<TriangleMesh> mesh = surfaceOfField([&](const Vec3 &x) { return fit->field.value(x); }, spread, wrap,
-                                               isOpen, cell, options, control.part(0.7, 1.0));
-    if (!mesh)
-        return mesh.error();
-    return Rung{std::move(*mesh), ontoSurface(spread, fit->field)};
+    Candidate best{ground, makeRung(kind, ground, lambda, options, control)};
+    if (ground.isOpen || options.wrap.tightness >= 0.0 || options.disorder.looserWraps < 1)
+        return best;
+    for (const double alpha : looserAlphas(ground.wrap, options)) {
+        const bool isFarLooser = alpha > options.disorder.loosest * ground.wrap.alpha;
+        const double enough = isFarLooser ? options.disorder.hopeless : options.disorder.most;
+        if (control.isCancelled() || (best.rung && best.rung->disorder <= enough))
+            break;
+        WrapOptions looser = options.wrap;
+        looser.alphas = {alpha};
+        looser.tightness = 0.0;
+        Result<Wrap> wrap = wrapStrokes(drawn, looser, JobControl());
+        if (!wrap)
+            continue;
+        ProxyGround held = groundOn(std::move(*wrap), strokes, drawn, false, options);
+        Result<ProxyRung> rung = makeRung(kind, held, lambda, options, control);
+        Candidate candidate{std::move(held), std::move(rung)};
+        if (candidate.isBetterThan(best))
+            best = std::move(candidate);
+    }
+    return best;
 }
 
 } // namespace
@@ -113,10 +113,14 @@ Result<Rung> localRung(const std::vector<Vec3> &points, const Wrap &wrap, bool i
 std::string_view proxyKindName(ProxyKind kind)
 {
     switch (kind) {
-    case ProxyKind::Variational: return "variational";
-    case ProxyKind::Local: return "local";
-    case ProxyKind::Wrap: return "wrap";
-    case ProxyKind::Given: return "given";
+    case ProxyKind::Variational:
+        return "variational";
+    case ProxyKind::Local:
+        return "local";
+    case ProxyKind::Wrap:
+        return "wrap";
+    case ProxyKind::Given:
+        return "given";
     }
     return "unknown";
 }
@@ -125,7 +129,8 @@ Result<Proxy> makeProxy(const StrokeSet &strokes, const ProxyOptions &options, c
 {
     const std::vector<Vec3> drawn = samplesOf(strokes, 0.008);
     if (drawn.size() < 8)
-        return Error{ErrorCode::TooLittleData, "Making a proxy", "the sketch has too few strokes for a surface",
+        return Error{ErrorCode::TooLittleData, "Making a proxy",
+                     "the sketch has too few strokes for a surface",
                      "Draw more strokes, or give a proxy mesh", ""};
     if (isFlat(drawn))
         return Error{ErrorCode::NoSolution, "Making a proxy", "all strokes lie in one plane",
@@ -148,34 +153,25 @@ Result<Proxy> makeProxy(const StrokeSet &strokes, const ProxyOptions &options, c
         return lambda.error();
     if (!lambda)
         remark(lambda.error().problem);
-    std::vector<Vec3> points = drawn;
-    if (!isOpen)
-        proxy.flatEnds = flatEndsOf(strokes, *wrap, options.flatEnds);
-    for (const FlatEnd &end : proxy.flatEnds)
-        points.insert(points.end(), end.inside.begin(), end.inside.end());
+    const ProxyGround ground = groundOn(std::move(*wrap), strokes, drawn, isOpen, options);
+    proxy.flatEnds = ground.flatEnds;
     struct Attempt
     {
         ProxyKind kind;
         double smoothing;
     };
-    std::vector<Attempt> attempts{{ProxyKind::Variational, 1.0}, {ProxyKind::Variational, options.retrySmoothing}};
+    std::vector<Attempt> attempts{{ProxyKind::Variational, 1.0},
+                                  {ProxyKind::Variational, options.retrySmoothing}};
     if (int(spreadOut(drawn, options.denseSpacing).size()) > options.mostDensePoints)
         attempts.insert(attempts.begin(), {ProxyKind::Local, 1.0});
     if (!options.allowVariational || !lambda)
         attempts.clear();
     for (const Attempt &attempt : attempts) {
-        const auto makeRung = attempt.kind == ProxyKind::Local ? localRung : denseRung;
-        Result<Rung> rung =
-            makeRung(points, *wrap, isOpen, attempt.smoothing * *lambda, options, control.part(0.3, 0.7));
-        if (rung)
-            rung->mesh = withoutStrayComponents(rung->mesh, points);
-        if (rung)
-            if (const std::optional<std::string> fault = proxyFault(rung->mesh, wrap->mesh, points, options.quality)) {
-                remark(*fault);
-                continue;
-            }
+        const Candidate best = calmest(attempt.kind, ground, strokes, drawn, attempt.smoothing * *lambda,
+                                       options, control.part(0.3, 0.7));
         Result<TriangleMesh> mesh =
-            rung ? finished(rung->mesh, rung->targets, options, control.part(0.7, 1.0)) : rung.error();
+            best.rung ? finished(best.rung->mesh, best.rung->targets, options, control.part(0.7, 1.0))
+                      : best.rung.error();
         if (!mesh) {
             if (mesh.error().isCancelled())
                 return mesh.error();
@@ -185,10 +181,12 @@ Result<Proxy> makeProxy(const StrokeSet &strokes, const ProxyOptions &options, c
         proxy.mesh = std::move(*mesh);
         proxy.kind = attempt.kind;
         proxy.isOpen = isOpen;
+        proxy.alpha = best.ground.wrap.alpha;
+        proxy.flatEnds = best.ground.flatEnds;
         proxy.lambda = attempt.smoothing * *lambda;
         return proxy;
     }
-    Result<TriangleMesh> mesh = finished(wrap->mesh, points, options, control.part(0.7, 1.0));
+    Result<TriangleMesh> mesh = finished(ground.wrap.mesh, ground.points, options, control.part(0.7, 1.0));
     if (!mesh)
         return mesh.error();
     proxy.mesh = std::move(*mesh);
