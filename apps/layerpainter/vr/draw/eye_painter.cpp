@@ -37,6 +37,8 @@ struct EyePainter::Parts
     std::vector<std::unique_ptr<EyeImages>> images;
     std::vector<GlTexture> between; // where images hold linear light: the frame before it is converted
     std::vector<GlFramebuffer> betweenTargets;
+    std::shared_ptr<const Painting> uploaded; // what is on the card
+    double uploadedSeconds = 0;
     GlTexture mirror;
     GlFramebuffer mirrorTarget;
 
@@ -131,12 +133,18 @@ Result<void> EyePainter::Parts::drawOnto(const std::vector<GLuint> &targets, con
 }
 
 Result<void> EyePainter::draw(HeadsetSession &session, XrTime display, const std::vector<EyeView> &eyes,
-                              const Painting &painting, double seconds, const Placement &roomFromScene,
-                              const OverlayShapes &overlay)
+                              std::shared_ptr<const Painting> painting, double seconds,
+                              const Placement &roomFromScene, const OverlayShapes &overlay)
 {
     if (eyes.size() != mParts->images.size())
         return session.end(display, nullptr); // the head is not tracked
-    Result<void> done = mParts->renderer.update(painting, {seconds, {}});
+    // Looking what has changed takes its time with tens of thousands of strokes; mostly nothing has.
+    Result<void> done;
+    if (painting != mParts->uploaded || seconds != mParts->uploadedSeconds) {
+        done = mParts->renderer.update(*painting, {seconds, {}});
+        mParts->uploaded = done ? painting : nullptr;
+        mParts->uploadedSeconds = seconds;
+    }
     mParts->overlay.upload(overlay);
     std::vector<GLuint> targets;
     for (const std::unique_ptr<EyeImages> &one : mParts->images) {

@@ -19,8 +19,8 @@ public:
 
     /// Draws \a painting as it stands at \a roomFromScene, with the overlay, and ends the frame with it.
     Result<void> draw(HeadsetSession &session, XrTime display, const std::vector<EyeView> &eyes,
-                      const Painting &painting, double seconds, const Placement &roomFromScene,
-                      const OverlayShapes &overlay);
+                      std::shared_ptr<const Painting> painting, double seconds,
+                      const Placement &roomFromScene, const OverlayShapes &overlay);
 
     /// A copy of what the left eye saw last, for the window: a texture, and its size.
     std::uint32_t mirror() const;

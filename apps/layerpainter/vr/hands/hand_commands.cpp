@@ -67,8 +67,8 @@ void HandCommands::readTrigger(const HandInput &hand, const HandSituation &situa
 {
     const double value = hand.isTracked ? hand.trigger : 0;
     switch (mTrigger) {
-    case Trigger::Waiting:
-        if (value < strokeOff)
+    case Trigger::Waiting: // a hand that is not there has let go of nothing
+        if (hand.isTracked && value < strokeOff)
             mTrigger = Trigger::Free;
         return;
     case Trigger::Free:

@@ -204,8 +204,7 @@ Result<void> VrMode::drawFrame(const FrameTime &time)
     mMarks.add(mShapes, mTools.roomFromScene());
     mPanels->rig().draw(mShapes);
     addHands(mShapes, mInput, mTools, mWindow.brush().colour, mPointed);
-    const std::shared_ptr<const Painting> shown = mTools.shown();
-    return mPainter->draw(*mSession, time.display, *eyes, *shown, mWindow.view().seconds(),
+    return mPainter->draw(*mSession, time.display, *eyes, mTools.shown(), mWindow.view().seconds(),
                           mTools.roomFromScene(), mShapes);
 }
 
@@ -290,7 +289,7 @@ void VrMode::takeEvents()
         return;
     }
     if (news->lost) {
-        end(Error{ErrorCode::Cancelled,
+        end(Error{ErrorCode::ReadFailed,
                   "Painting in VR",
                   "the connection to the headset was lost",
                   "The painting is still here; connect the headset and enter VR again",
