@@ -26,6 +26,19 @@ private:
     const Layer &trunks() const { return *mApp->painting().findLayer(mTrunks); }
     QImage picture() { return mApp->window->view().picture(); }
     void click(const QString &name);
+    /// The canvas gives way to rows that come: not before it has is there a picture to return to.
+    void settle()
+    {
+        QSize size;
+        int same = 0; // rounds of the event loop
+        QVERIFY(QTest::qWaitFor(
+            [&] {
+                const QSize last = std::exchange(size, mApp->window->view().size());
+                same = last == size ? same + 1 : 0;
+                return same >= 10;
+            },
+            20'000));
+    }
     KeyTrack *track() const;
 
     std::unique_ptr<PainterUnderTest> mApp;
@@ -66,14 +79,7 @@ void PainterKeysTest::aDragKeysTheArmedLayer()
         mApp->press(Qt::Key_T);
     mApp->chooseStack("Trunks");
     QTRY_VERIFY(track() && track()->width() > 100);
-    // The canvas gives way to the row: not before it has is there a picture to return to.
-    QSize size;
-    QVERIFY(QTest::qWaitFor(
-        [&] {
-            const QSize last = std::exchange(size, mApp->window->view().size());
-            return last == size;
-        },
-        5'000));
+    settle();
     const QImage start = picture();
     click("Arm Trunks");
     QTest::mouseClick(track(), Qt::LeftButton, {}, QPoint(track()->width() / 2, track()->height() / 2));
@@ -146,6 +152,7 @@ void PainterKeysTest::aTextureMasksALayer()
                 layer = each.id;
     QVERIFY(layer.isValid());
     mApp->window->layers().tree().choose(layer);
+    settle();
     const QImage before = picture();
     auto *list = mApp->window->findChild<MaskList *>();
     list->addTexture({path});
