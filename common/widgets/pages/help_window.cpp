@@ -2,12 +2,39 @@
 
 #include <QAbstractTextDocumentLayout>
 #include <QFile>
+#include <QFileInfo>
 #include <QScrollBar>
 #include <QTextBlock>
 #include <QTextBrowser>
+#include <QTextCursor>
+#include <QTextDocument>
 #include <QVBoxLayout>
 
 namespace ductus {
+
+namespace {
+
+constexpr double pictureWidth = 560.0; // of a window as wide as it opens
+
+// Screens are wider than a page.
+void fitPictures(QTextDocument &page)
+{
+    for (QTextBlock block = page.begin(); block.isValid(); block = block.next())
+        for (QTextBlock::iterator part = block.begin(); !part.atEnd(); ++part) {
+            QTextImageFormat picture = part.fragment().charFormat().toImageFormat();
+            if (!picture.isValid())
+                continue;
+            picture.setWidth(pictureWidth);
+            QTextCursor cursor(&page);
+            cursor.setPosition(part.fragment().position());
+            cursor.setPosition(part.fragment().position() + part.fragment().length(),
+                               QTextCursor::KeepAnchor);
+            cursor.setCharFormat(picture);
+            break; // its fragments are others now; a picture is alone in its paragraph
+        }
+}
+
+} // namespace
 
 HelpWindow::HelpWindow(const QString &markdown, QWidget *parent) : QDialog(parent), mPage(new QTextBrowser)
 {
@@ -21,10 +48,13 @@ HelpWindow::HelpWindow(const QString &markdown, QWidget *parent) : QDialog(paren
     mPage->setOpenExternalLinks(true);
     mPage->document()->setDocumentMargin(24);
     QFile file(markdown);
-    if (file.open(QIODevice::ReadOnly))
+    if (file.open(QIODevice::ReadOnly)) {
+        mPage->setSearchPaths({QFileInfo(markdown).path()}); // pictures stand beside the text
         mPage->setMarkdown(QString::fromUtf8(file.readAll()));
-    else
+        fitPictures(*mPage->document());
+    } else {
         mPage->setPlainText(tr("The manual is missing in this installation: %1.").arg(file.errorString()));
+    }
 }
 
 bool HelpWindow::showSection(const QString &heading)
