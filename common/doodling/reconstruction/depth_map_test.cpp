@@ -46,7 +46,7 @@ private slots:
     void saysWhatMoves()
     {
         DepthMap map = depthMapOf(2, 1, 4.0, std::vector<float>{0.5f, 0.1f});
-        map.objects = {0, 3};
+        map.objects = std::vector<std::uint8_t>{0, 3};
         QCOMPARE(map.objectAt({3.0, 1.0}), 0);
         QCOMPARE(map.objectAt({5.0, 1.0}), 3);
     }

@@ -23,6 +23,7 @@ private slots:
     void initTestCase();
     void withoutASurfaceThereIsNothingToSend();
     void thePrintCheckSpeaksOfWalls();
+    void showTurnsToThePlace();
     void aSmallerPrintHasThinnerWalls();
     void whatIsUnsavedIsAskedToBeSaved();
     void aMissingProgramIsNamed();
@@ -94,6 +95,34 @@ void FinishedSurfaceTest::thePrintCheckSpeaksOfWalls()
         if (auto *area = qobject_cast<QScrollArea *>(around))
             area->ensureWidgetVisible(&window.printCheck());
     mApp->shot("print-1-panel");
+}
+
+void FinishedSurfaceTest::showTurnsToThePlace()
+{
+    SurfacerWindow &window = *mApp->window;
+    SketchView &view = window.view();
+    const ViewCamera before = view.camera();
+    auto *button = window.printCheck().findChild<QPushButton *>("show-wall");
+    QVERIFY(button);
+    const FoundPlace place = *finding("wall")->place;
+    QTest::mouseClick(button, Qt::LeftButton);
+    QVERIFY(view.overlay().mark());
+    const auto distance = [&] {
+        const Vec3 centre = 0.5 * (place.at + *place.other);
+        const QPointF at = view.camera().project(centre).value_or(QPointF(1e9, 1e9)) -
+                           QPointF(0.5 * view.width(), 0.5 * view.height());
+        return std::hypot(at.x(), at.y());
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(distance() < 2.0, 20'000);
+    QVERIFY(view.camera().distance() < before.distance());
+    // Seen: what is hit first under the place is the place.
+    const auto hit = view.surfaceAt(*view.camera().project(place.at));
+    QVERIFY(hit && (hit->point - place.at).norm() < 0.01 * view.extent().diagonal());
+    mApp->shot("print-2-shown");
+    view.setFocus();
+    mApp->press(Qt::Key_Escape);
+    QVERIFY(!view.overlay().mark());
+    mApp->press(Qt::Key_F);
 }
 
 void FinishedSurfaceTest::aSmallerPrintHasThinnerWalls()
