@@ -25,7 +25,7 @@ struct FlatEndOptions
     double toleranceShare = 0.08; // ... and more for great outlines, share of the greater half-width
     double reach = 0.03;          // strokes in the plane whose end is so near carry the outline on
     OutlineDemands drawnOutline{0.9, 0.06}; // found from a stroke that shows the plane by itself
-    OutlineDemands hullOutline{0.6, 0.2};   // on the convex hull, which is evidence of an end by itself
+    OutlineDemands hullOutline{0.8, 0.1};   // on the convex hull, which is evidence of an end by itself
     double leastHullArea = 0.0025;          // of a triangle of the hull that may show an end
     double innerShare = 0.85;               // of the outline's radius; what is farther in lies inside
     double freeHeight = 0.6;   // no stroke stands so high above the inside, share of the greater half-width

@@ -13,6 +13,7 @@ namespace {
 constexpr double stepPixels = 4.0;
 constexpr double snapPixels = 10.0;
 constexpr double fadeShare = 0.05; // of the diagonal: how far a snapped end bends a line that ends freely
+constexpr double mostSag = 0.2;   // of the way between two strokes
 
 // Twice a mean over three neighbours: takes the trembling out, keeps the ends.
 std::vector<Vec3> smoothed(std::vector<Vec3> points)
@@ -69,8 +70,9 @@ void DrawStrokeTool::release(const ViewPointer &, SketchView &view)
     mPoints.clear();
     if (smooth.size() < 2)
         return;
-    const std::vector<Vec3> points =
-        carriedTo(smooth, anchorsOf(mPositions, view, snapPixels), fadeShare * view.extent().diagonal());
+    const std::vector<SnapAnchor> anchors = anchorsOf(mPositions, view, snapPixels);
+    const std::vector<Vec3> points = withoutSag(carriedTo(smooth, anchors, fadeShare * view.extent().diagonal()),
+                                                anchors, view.camera().eye(), mostSag);
     mLastEnd = points.back();
     mDone(points);
 }

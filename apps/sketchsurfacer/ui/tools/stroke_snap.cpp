@@ -63,6 +63,27 @@ std::vector<Vec3> carriedTo(std::vector<Vec3> points, const std::vector<SnapAnch
     return points;
 }
 
+std::vector<Vec3> withoutSag(std::vector<Vec3> points, const std::vector<SnapAnchor> &anchors, const Vec3 &eye,
+                             double mostShare)
+{
+    for (std::size_t k = 0; k + 1 < anchors.size(); ++k) {
+        const std::size_t begin = anchors[k].index, end = anchors[k + 1].index;
+        const Vec3 from = points[begin], chord = points[end] - from;
+        if (end <= begin + 1 || !(chord.norm() > 0.0))
+            continue;
+        std::vector<double> sags;
+        for (std::size_t i = begin; i <= end; ++i) {
+            const double share = std::clamp((points[i] - from).dot(chord) / chord.squaredNorm(), 0.0, 1.0);
+            sags.push_back((points[i] - from - share * chord).dot((points[i] - eye).normalized()));
+        }
+        if (*std::max_element(sags.begin(), sags.end()) > mostShare * chord.norm())
+            continue;
+        for (std::size_t i = begin; i <= end; ++i)
+            points[i] -= std::max(0.0, sags[i - begin]) * (points[i] - eye).normalized();
+    }
+    return points;
+}
+
 std::optional<Vec3> snapPoint(const QPointF &position, const SketchView &view, double reach, int except)
 {
     const int line = view.strokeAt(position, reach, except);

@@ -23,6 +23,12 @@ struct SnapAnchor
 /// is shared by length, and beyond the outer ones it fades out over \a fade, scene units.
 std::vector<Vec3> carriedTo(std::vector<Vec3> points, const std::vector<SnapAnchor> &anchors, double fade);
 
+/// \a points, carried to \a anchors, where they run behind the straight way between two of them as seen from
+/// \a eye brought onto it: the surface sags there since the line was missing. What hangs lower than
+/// \a mostShare of the way is a hollow that is meant and stays.
+std::vector<Vec3> withoutSag(std::vector<Vec3> points, const std::vector<SnapAnchor> &anchors, const Vec3 &eye,
+                             double mostShare);
+
 /// The point of the visible stroke under \a position nearest to it on the screen, within \a reach pixels; not
 /// of line \a except.
 std::optional<Vec3> snapPoint(const QPointF &position, const SketchView &view, double reach, int except = -1);

@@ -1,6 +1,7 @@
 #include "sketchsurfacer/ui/tools/stroke_snap.h"
 
 #include <QtTest>
+#include <cmath>
 
 using namespace ductus;
 
@@ -12,6 +13,7 @@ private slots:
     void anchorsOnTheWayAreMet();
     void oneEndFadesOut();
     void withoutAnchorsNothingMoves();
+    void whatSagsBetweenStrokesIsPulledStraight();
 };
 
 namespace {
@@ -53,6 +55,23 @@ void StrokeSnapTest::oneEndFadesOut()
     const std::vector<Vec3> other = carriedTo(flatLine(), {{10, {10, 1, 0}}}, 4.0);
     QCOMPARE(other[10].y(), 1.0);
     QCOMPARE(other[5].y(), 0.0);
+}
+
+void StrokeSnapTest::whatSagsBetweenStrokesIsPulledStraight()
+{
+    const std::vector<SnapAnchor> anchors{{0, {0, 0, 0}}, {10, {10, 0, 0}}};
+    const Vec3 eye(5, 1000, 0); // far above
+    std::vector<Vec3> sagging = flatLine(), bulging = flatLine(), hollow = flatLine();
+    for (std::size_t i = 1; i < 10; ++i) {
+        const double bow = std::sin(0.314159 * double(i));
+        sagging[i].y() -= bow;
+        bulging[i].y() += bow;
+        hollow[i].y() -= 4.0 * bow;
+    }
+    for (const Vec3 &p : withoutSag(sagging, anchors, eye, 0.2))
+        QVERIFY(std::abs(p.y()) < 1e-3);
+    QVERIFY(withoutSag(bulging, anchors, eye, 0.2) == bulging);
+    QVERIFY(withoutSag(hollow, anchors, eye, 0.2) == hollow);
 }
 
 void StrokeSnapTest::withoutAnchorsNothingMoves()
