@@ -69,7 +69,7 @@ void SchemaCheckTest::schemasChangeOnlyWithTheirVersion()
     QCOMPARE(sha256Hex(asBytes(schemaText("project"))),
              std::string("8c190017f6c8691b626f668f80157023ed250afcd9508bd2654168b7e59f635a"));
     QCOMPARE(sha256Hex(asBytes(schemaText("sketch_surface"))),
-             std::string("0ce483bef1634b576f8e6f5b30b6a35afdecda97c988fa2bb556509243275bad"));
+             std::string("fb5204804cfe8485b2e0ac83f3850369ce3b460e3acdeefd2168e6bf48f7c7cd"));
 }
 
 QTEST_APPLESS_MAIN(SchemaCheckTest)

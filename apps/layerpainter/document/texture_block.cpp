@@ -35,7 +35,7 @@ Result<TextureMask> textureFromPictures(QStringList paths, const Box3 &box)
         return Error{
             ErrorCode::InvalidArgument, attempted, "no picture was chosen", "Choose one or more", {}};
     // slice2 comes before slice10
-    QCollator byNumbers(QLocale::c());
+    QCollator byNumbers(QLocale(QLocale::English)); // the C locale knows no numbers
     byNumbers.setNumericMode(true);
     std::sort(paths.begin(), paths.end(), byNumbers);
 

@@ -47,7 +47,7 @@ private slots:
             const Shot shot = shotTelling(1.8, hasLongFlows);
             return followPixel(shot, {0, start}, frames - 1, {}, {gapsOf(shot), 0.3, 0.0, 0.0}).back();
         };
-        QVERIFY((end(false).pixel - there).norm() > 3.0);
+        QVERIFY((end(false).pixel - there).norm() > 2.8); // a fifth of a pixel a step, to the flow's 1/32
         QVERIFY((end(true).pixel - there).norm() < 0.5);
         QVERIFY(end(true).variance < end(false).variance);
     }
