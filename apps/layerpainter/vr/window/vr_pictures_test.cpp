@@ -76,8 +76,10 @@ void VrPicturesTest::eyesSeeTheRenderersFrames()
         QDir(test.folder.filePath("dump")).entryInfoList({"*.png"}, QDir::Files, QDir::Time);
     QVERIFY(dumped.size() >= 2);
     const QString frame = dumped.first().fileName().section('-', 1, 1);
+    if (QOpenGLContext *headset = QOpenGLContext::currentContext())
+        headset->doneCurrent(); // a thread has one context
     Result<OffscreenContext> context = OffscreenContext::create();
-    QVERIFY(context.ok());
+    QVERIFY2(context.ok(), context ? "" : context.error().message().c_str());
     Result<PaintingRenderer> renderer = PaintingRenderer::create({1, false, 0.5, 0.25});
     QVERIFY(renderer.ok() && renderer->update(painting, {}).ok());
     QImage both[2];
