@@ -534,6 +534,7 @@ void PainterWindowTest::paintsWhereTheLayerHasMovedTo()
     window.layers().tree().choose(layer);
     window.motion().setSeconds(2);
     mApp->press(Qt::Key_B);
+    QTest::qWait(200); // the timeline takes its room, with a row for the layer
     const QPoint middle = view.rect().center();
     mApp->drag({middle, middle + QPoint(30, 5), middle + QPoint(60, 10)});
     const Layer *painted = window.painting().painting().findLayer(layer);
@@ -541,7 +542,9 @@ void PainterWindowTest::paintsWhereTheLayerHasMovedTo()
     const auto &[element, place] = shown.back();
     const auto &points = std::get<StrokeShape>(*element->shape).points;
     const auto begin = view.camera().project(place * points.front().position.cast<double>());
-    QVERIFY(begin && QLineF(*begin, middle).length() < 3);
+    QVERIFY2(begin && QLineF(*begin, middle).length() < 3,
+             qPrintable(begin ? QString("%1 %2, not %3 %4").arg(begin->x()).arg(begin->y()).arg(middle.x()).arg(middle.y())
+                              : QString("behind")));
     mApp->press(Qt::Key_Z, Qt::ControlModifier);
     mApp->press(Qt::Key_Z, Qt::ControlModifier);
     window.motion().setSeconds(0);
