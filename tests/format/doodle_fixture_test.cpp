@@ -3,13 +3,11 @@
 // overwritten.
 #include "base/sha256.h"
 #include "doodling/storage/doodle_content.h"
+#include "format/fixture_file.h"
 #include "project/project_reader.h"
 #include "project/project_writer.h"
-#include "project/schema_check.h"
 
 #include <QtTest>
-
-#include <fstream>
 
 using namespace ductus;
 namespace fs = std::filesystem;
@@ -117,14 +115,6 @@ Project projectV1()
     return project;
 }
 
-Bytes readBytes(const fs::path &path)
-{
-    std::ifstream file(path, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-    const std::span<const std::byte> bytes = asBytes(text);
-    return Bytes(bytes.begin(), bytes.end());
-}
-
 // Equal texts with buffers named by their content mean equal clips and scenes, down to the last bit.
 std::string textOf(const ClipReference &clip, const std::shared_ptr<const DoodleScene> &scene)
 {
@@ -147,12 +137,7 @@ private slots:
 
 void DoodleFixtureTest::initTestCase()
 {
-    if (!qEnvironmentVariableIsSet("DUCTUS_WRITE_FIXTURES") || fs::exists(fixtureV1))
-        return;
-    const Result<SerializedProject> made = serializedProject(projectV1());
-    QVERIFY2(made.ok(), made.ok() ? "" : made.error().message().c_str());
-    std::ofstream(fixtureV1, std::ios::binary)
-        .write(reinterpret_cast<const char *>(made->bytes.data()), std::streamsize(made->bytes.size()));
+    writeFixtureIfAsked(fixtureV1, projectV1());
 }
 
 void DoodleFixtureTest::version1OpensWithAllValues()
@@ -187,14 +172,12 @@ void DoodleFixtureTest::version1OpensWithAllValues()
 
 void DoodleFixtureTest::version1IsKeptUnchanged()
 {
-    QCOMPARE(sha256Hex(readBytes(fixtureV1)), std::string(digestV1));
+    QCOMPARE(sha256Hex(fixtureBytes(fixtureV1)), std::string(digestV1));
 }
 
 void DoodleFixtureTest::version1IsValid()
 {
-    const auto lines = projectSchemaViolations(readBytes(fixtureV1), "v1");
-    QVERIFY2(lines.ok(), lines.ok() ? "" : lines.error().message().c_str());
-    QVERIFY2(lines->empty(), lines->empty() ? "" : lines->front().c_str());
+    verifyFixtureIsValid(fixtureV1);
 }
 
 QTEST_APPLESS_MAIN(DoodleFixtureTest)

@@ -1,15 +1,13 @@
 // One file per released version of the format, kept for ever: whatever changes, these open with these values.
 // To make a missing one: DUCTUS_WRITE_FIXTURES=1 test_format_fixtures. Existing files are never overwritten.
 #include "base/sha256.h"
+#include "format/fixture_file.h"
 #include "project/container/container_reader.h"
 #include "project/project_reader.h"
 #include "project/project_writer.h"
-#include "project/schema_check.h"
 #include "project/testing/sample_project.h"
 
 #include <QtTest>
-
-#include <fstream>
 
 using namespace ductus;
 namespace fs = std::filesystem;
@@ -94,24 +92,6 @@ Project projectWithReading()
     return project;
 }
 
-void writeIfMissing(const fs::path &path, const Project &project)
-{
-    if (fs::exists(path))
-        return;
-    const Bytes bytes = serializedProject(project)->bytes;
-    fs::create_directories(path.parent_path());
-    std::ofstream(path, std::ios::binary)
-        .write(reinterpret_cast<const char *>(bytes.data()), std::streamsize(bytes.size()));
-}
-
-Bytes readBytes(const fs::path &path)
-{
-    std::ifstream file(path, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-    const std::span<const std::byte> bytes = asBytes(text);
-    return Bytes(bytes.begin(), bytes.end());
-}
-
 } // namespace
 
 class FixturesTest : public QObject
@@ -128,10 +108,8 @@ private slots:
 
 void FixturesTest::initTestCase()
 {
-    if (!qEnvironmentVariableIsSet("DUCTUS_WRITE_FIXTURES"))
-        return;
-    writeIfMissing(fixtureV1, projectV1());
-    writeIfMissing(fixtureReading, projectWithReading());
+    writeFixtureIfAsked(fixtureV1, projectV1());
+    writeFixtureIfAsked(fixtureReading, projectWithReading());
 }
 
 void FixturesTest::version1OpensWithAllValues()
@@ -149,15 +127,13 @@ void FixturesTest::version1OpensWithAllValues()
 
 void FixturesTest::version1IsKeptUnchanged()
 {
-    QCOMPARE(sha256Hex(readBytes(fixtureV1)),
+    QCOMPARE(sha256Hex(fixtureBytes(fixtureV1)),
              std::string("0cd22709da9f3d2eaf722e04a8922d5509587142c202b6c2b330dd794a218d51"));
 }
 
 void FixturesTest::version1IsValid()
 {
-    const auto lines = projectSchemaViolations(readBytes(fixtureV1), "v1");
-    QVERIFY2(lines.ok(), lines.ok() ? "" : lines.error().message().c_str());
-    QVERIFY2(lines->empty(), lines->empty() ? "" : lines->front().c_str());
+    verifyFixtureIsValid(fixtureV1);
 }
 
 void FixturesTest::version1SavesWithoutLoss()
@@ -179,9 +155,8 @@ void FixturesTest::aChosenReadingOpensWithAllValues()
     const StoredReading &reading = *project->documents[0].sketchSurface->reading;
     QCOMPARE(reading.labels[2], 1);
     QCOMPARE(reading.models[1].coefficients[9], 1.0 / 3.0);
-    const auto lines = projectSchemaViolations(readBytes(fixtureReading), "reading");
-    QVERIFY(lines.ok() && lines->empty());
-    QCOMPARE(sha256Hex(readBytes(fixtureReading)),
+    verifyFixtureIsValid(fixtureReading);
+    QCOMPARE(sha256Hex(fixtureBytes(fixtureReading)),
              std::string("bd7cf2ff57a3ff3a7863e965ec3df62d6aff44871852f451cced606e8a00126c"));
 }
 

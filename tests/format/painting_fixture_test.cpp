@@ -2,14 +2,12 @@
 // values. To make a missing one: DUCTUS_WRITE_FIXTURES=1 test_format_painting_fixture. Existing files are
 // never overwritten.
 #include "base/sha256.h"
+#include "format/fixture_file.h"
 #include "painting/storage/painting_content.h"
 #include "project/project_reader.h"
 #include "project/project_writer.h"
-#include "project/schema_check.h"
 
 #include <QtTest>
-
-#include <fstream>
 
 using namespace ductus;
 namespace fs = std::filesystem;
@@ -103,14 +101,6 @@ Project projectV1()
     return project;
 }
 
-Bytes readBytes(const fs::path &path)
-{
-    std::ifstream file(path, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-    const std::span<const std::byte> bytes = asBytes(text);
-    return Bytes(bytes.begin(), bytes.end());
-}
-
 Result<Project> opened()
 {
     ProjectReadOptions options;
@@ -132,12 +122,7 @@ private slots:
 
 void PaintingFixtureTest::initTestCase()
 {
-    if (!qEnvironmentVariableIsSet("DUCTUS_WRITE_FIXTURES") || fs::exists(fixtureV1))
-        return;
-    const Result<SerializedProject> made = serializedProject(projectV1());
-    QVERIFY2(made.ok(), made.ok() ? "" : made.error().message().c_str());
-    std::ofstream(fixtureV1, std::ios::binary)
-        .write(reinterpret_cast<const char *>(made->bytes.data()), std::streamsize(made->bytes.size()));
+    writeFixtureIfAsked(fixtureV1, projectV1());
 }
 
 void PaintingFixtureTest::version1OpensWithAllValues()
@@ -162,14 +147,13 @@ void PaintingFixtureTest::version1OpensWithAllValues()
 
 void PaintingFixtureTest::version1IsKeptUnchanged()
 {
-    QCOMPARE(sha256Hex(readBytes(fixtureV1)), std::string("8e8dbfd7110266fed31dd9e9653862047dba8ae2d9d977ea631a2853d252d8e1"));
+    QCOMPARE(sha256Hex(fixtureBytes(fixtureV1)),
+             std::string("8e8dbfd7110266fed31dd9e9653862047dba8ae2d9d977ea631a2853d252d8e1"));
 }
 
 void PaintingFixtureTest::version1IsValid()
 {
-    const auto lines = projectSchemaViolations(readBytes(fixtureV1), "v1");
-    QVERIFY2(lines.ok(), lines.ok() ? "" : lines.error().message().c_str());
-    QVERIFY2(lines->empty(), lines->empty() ? "" : lines->front().c_str());
+    verifyFixtureIsValid(fixtureV1);
 }
 
 QTEST_APPLESS_MAIN(PaintingFixtureTest)
