@@ -1,19 +1,15 @@
 #include "doodlestudio/cli/thumbnail_command.h"
 
-#include "cli/batch_command.h"
-#include "cli/output_files.h"
+#include "cli/thumbnail_output.h"
 #include "doodlestudio/cli/whole_shot.h"
 #include "doodling/compositing/doodle_painter.h"
 #include "doodling/export/export_film.h"
-#include "formats/png_file.h"
 
 #include <algorithm>
 
 namespace ductus {
 
 namespace {
-
-constexpr char writing[] = "Writing the thumbnail";
 
 // Halfway, or the frame that was asked for.
 Result<Image> picture(const OpenedDoodle &doodle, const std::filesystem::path &clipPath, int size, int frame,
@@ -45,44 +41,27 @@ ExitCode runThumbnailCommand(const QStringList &arguments)
 {
     BatchParser parser(QStringLiteral("thumbnail"),
                        QStringLiteral("Draws one frame of the clip with its doodles, small."));
-    const QCommandLineOption output({QStringLiteral("o"), QStringLiteral("output")},
-                                    QStringLiteral("The picture."), QStringLiteral("OUT.png"));
-    const QCommandLineOption size(QStringLiteral("size"),
-                                  QStringLiteral("The longer side at most. Default: 256."),
-                                  QStringLiteral("N"), QStringLiteral("256"));
+    const ThumbnailOptions options(QStringLiteral("The longer side at most."));
     const QCommandLineOption frame(QStringLiteral("frame"), QStringLiteral("Default: the one halfway."),
                                    QStringLiteral("N"));
     const QCommandLineOption clip(QStringLiteral("clip"),
                                   QStringLiteral("Where the clip is now, if it was moved."),
                                   QStringLiteral("CLIP"));
     parser.addPositional(QStringLiteral("P.ductus"), QStringLiteral("The project."));
-    for (const QCommandLineOption &option : {output, size, frame, clip})
+    for (const QCommandLineOption &option : {options.output, options.size, frame, clip})
         parser.addOption(option);
     if (const std::optional<ExitCode> end = parser.parse(arguments, 1, 1))
         return *end;
-    const std::filesystem::path target = parser.path(output);
-    if (target.empty() || !hasExtension(target, ".png"))
-        return parser.wrongUsage(QStringLiteral("-o OUT.png is missing"));
-    bool isSize = false, isFrame = true;
-    const int pixels = parser.value(size).toInt(&isSize);
+    bool isFrame = true;
     const int wanted = parser.isSet(frame) ? parser.value(frame).toInt(&isFrame) : -1;
-    if (!isSize || pixels < 16 || pixels > 16384)
-        return parser.wrongUsage(QStringLiteral("--size takes a whole number from 16 to 16384"));
     if (!isFrame || (parser.isSet(frame) && wanted < 0))
         return parser.wrongUsage(QStringLiteral("--frame takes a whole number from 0"));
-    TerminalJob job(parser.isQuiet());
-    if (Result<void> writable = checkWritable(target, writing); !writable)
-        return failed(job, writable.error());
-    const Result<OpenedDoodle> doodle = openDoodle(parser.positionalPath(0));
-    if (!doodle)
-        return failed(job, doodle.error());
-    const Result<Image> image = picture(*doodle, parser.path(clip), pixels, wanted, job.control());
-    if (!image)
-        return failed(job, image.error());
-    if (Result<void> written = writePng(*image, target); !written)
-        return failed(job, written.error());
-    job.finishLine();
-    return ExitCode::Done;
+    return writeThumbnail(parser, options, [&](int pixels, const JobControl &control) -> Result<Image> {
+        const Result<OpenedDoodle> doodle = openDoodle(parser.positionalPath(0));
+        if (!doodle)
+            return doodle.error();
+        return picture(*doodle, parser.path(clip), pixels, wanted, control);
+    });
 }
 
 } // namespace ductus

@@ -1,8 +1,6 @@
 #include "layerpainter/cli/thumbnail_command.h"
 
-#include "cli/batch_command.h"
-#include "cli/output_files.h"
-#include "formats/png_file.h"
+#include "cli/thumbnail_output.h"
 #include "layerpainter/cli/look_argument.h"
 #include "layerpainter/cli/open_painting.h"
 #include "layerpainter/film/film_plan.h"
@@ -14,7 +12,6 @@ namespace ductus {
 
 namespace {
 
-constexpr char writing[] = "Writing the thumbnail";
 constexpr double aspect = 1.6; // as of render's pictures
 
 Result<Image> picture(Painting opened, const QString &lookName, int size, const JobControl &control)
@@ -39,38 +36,20 @@ ExitCode runThumbnailCommand(const QStringList &arguments)
 {
     BatchParser parser(QStringLiteral("thumbnail"),
                        QStringLiteral("Draws a small picture of a painting as it is first seen."));
-    const QCommandLineOption output({QStringLiteral("o"), QStringLiteral("output")},
-                                    QStringLiteral("The picture."), QStringLiteral("OUT.png"));
-    const QCommandLineOption size(QStringLiteral("size"), QStringLiteral("The longer side. Default: 256."),
-                                  QStringLiteral("N"), QStringLiteral("256"));
+    const ThumbnailOptions options(QStringLiteral("The longer side."));
     const QCommandLineOption look(QStringLiteral("look"), QStringLiteral("The look to show, by its name."),
                                   QStringLiteral("NAME"));
     parser.addPositional(QStringLiteral("P.ductus"), QStringLiteral("The project."));
-    for (const QCommandLineOption &option : {output, size, look})
+    for (const QCommandLineOption &option : {options.output, options.size, look})
         parser.addOption(option);
     if (const std::optional<ExitCode> end = parser.parse(arguments, 1, 1))
         return *end;
-    const std::filesystem::path target = parser.path(output);
-    if (target.empty() || !hasExtension(target, ".png"))
-        return parser.wrongUsage(QStringLiteral("-o OUT.png is missing"));
-    bool isSize = false;
-    const int pixels = parser.value(size).toInt(&isSize);
-    if (!isSize || pixels < 16 || pixels > 16384)
-        return parser.wrongUsage(QStringLiteral("--size takes a whole number from 16 to 16384"));
-    TerminalJob job(parser.isQuiet());
-    if (Result<void> writable = checkWritable(target, writing); !writable)
-        return failed(job, writable.error());
-    Result<Painting> painting = openPainting(parser.positionalPath(0), job.control().part(0, 0.4));
-    if (!painting)
-        return failed(job, painting.error());
-    const Result<Image> image =
-        picture(std::move(*painting), parser.value(look), pixels, job.control().part(0.4, 1));
-    if (!image)
-        return failed(job, image.error());
-    if (Result<void> written = writePng(*image, target); !written)
-        return failed(job, written.error());
-    job.finishLine();
-    return ExitCode::Done;
+    return writeThumbnail(parser, options, [&](int pixels, const JobControl &control) -> Result<Image> {
+        Result<Painting> painting = openPainting(parser.positionalPath(0), control.part(0, 0.4));
+        if (!painting)
+            return painting.error();
+        return picture(std::move(*painting), parser.value(look), pixels, control.part(0.4, 1));
+    });
 }
 
 } // namespace ductus
