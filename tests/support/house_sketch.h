@@ -39,11 +39,7 @@ inline bool surfaceHouseWithoutRidge(App &app, int proxyVertices, int runs)
     app.window->openPath(file.fileName());
     if (!QTest::qWaitFor([&] { return !sketch.isEmpty(); }, 20'000))
         return false;
-    SurfaceOptions options = sketch.content().options;
-    options.symmetry = SymmetryMode::None; // its plane would run along the ridge
-    options.proxy.targetVertices = proxyVertices;
-    options.segmentation.runs = runs;
-    sketch.setOptions("Quicker", options);
+    app.chooseQuickOptions(proxyVertices, runs); // without symmetry: its plane would run along the ridge
     app.press(Qt::Key_Return, Qt::ControlModifier);
     return app.waitForResult();
 }

@@ -89,6 +89,15 @@ struct App
         window->openSample(sample);
         return QTest::qWaitFor([&] { return !window->sketch().isEmpty(); }, 20'000);
     }
+    /// Options that make a test wait less than a user does.
+    void chooseQuickOptions(int proxyVertices = 3000, int runs = 1)
+    {
+        SurfaceOptions options = window->sketch().content().options;
+        options.symmetry = SymmetryMode::None;
+        options.proxy.targetVertices = proxyVertices;
+        options.segmentation.runs = runs;
+        window->sketch().setOptions("Quicker", options);
+    }
     void press(Qt::Key key, Qt::KeyboardModifiers modifiers = {})
     {
         // To the widget and not to its window: such a click takes no time, however long the window draws

@@ -64,11 +64,7 @@ void BendStrokeTest::initTestCase()
     SurfacerWindow &window = *mApp->window;
     QVERIFY(QTest::qWaitForWindowExposed(&window));
     QVERIFY(mApp->open("bottle"));
-    SurfaceOptions options = window.sketch().content().options;
-    options.symmetry = SymmetryMode::None;
-    options.proxy.targetVertices = 3000;
-    options.segmentation.runs = 1;
-    window.sketch().setOptions("Quicker", options);
+    mApp->chooseQuickOptions();
     mApp->press(Qt::Key_Return, Qt::ControlModifier);
     QVERIFY(mApp->waitForResult());
     QTRY_VERIFY(window.view().frameCount() > 0);

@@ -61,11 +61,7 @@ void FinishedSurfaceTest::initTestCase()
     SurfacerWindow &window = *mApp->window;
     QVERIFY(QTest::qWaitForWindowExposed(&window));
     QVERIFY(mApp->open("bottle"));
-    SurfaceOptions options = window.sketch().content().options;
-    options.symmetry = SymmetryMode::None;
-    options.proxy.targetVertices = 3000;
-    options.segmentation.runs = 1;
-    window.sketch().setOptions("Quicker", options);
+    mApp->chooseQuickOptions();
 }
 
 void FinishedSurfaceTest::withoutASurfaceThereIsNothingToSend()

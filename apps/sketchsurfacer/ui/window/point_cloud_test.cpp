@@ -133,11 +133,7 @@ void PointCloudWindowTest::theCloudIsSurfaced()
     // Fewer points and a coarse proxy: how long the solver takes is no matter of the window.
     QVERIFY(dropFile(window, mApp->dir.filePath("thin.xyz"), cutBall(2000)));
     QTRY_COMPARE_WITH_TIMEOUT(window.sketch().strokes().strokes.size(), std::size_t(2000), 20'000);
-    SurfaceOptions options = window.sketch().content().options;
-    options.symmetry = SymmetryMode::None;
-    options.proxy.targetVertices = 3000;
-    options.segmentation.runs = 1;
-    window.sketch().setOptions("Quicker", options);
+    mApp->chooseQuickOptions();
     QElapsedTimer clock;
     clock.start();
     mApp->press(Qt::Key_Return, Qt::ControlModifier);

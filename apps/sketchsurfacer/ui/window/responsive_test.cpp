@@ -74,12 +74,8 @@ void ResponsiveTest::openingASample()
 
 void ResponsiveTest::surfacing()
 {
-    if (mSample.isEmpty()) {
-        SurfaceOptions options = mApp->window->sketch().content().options;
-        options.symmetry = SymmetryMode::None;
-        options.segmentation.runs = 2;
-        mApp->window->sketch().setOptions("Quicker", options);
-    }
+    if (mSample.isEmpty())
+        mApp->chooseQuickOptions(SurfaceOptions{}.proxy.targetVertices, 2);
     mApp->press(Qt::Key_Return, Qt::ControlModifier);
     QVERIFY(mApp->waitForResult());
     judge("surfacing");
