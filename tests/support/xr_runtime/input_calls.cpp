@@ -71,6 +71,15 @@ void syncAction(Runtime &r, std::uint64_t name, ActionObject &action, bool hasFo
     }
 }
 
+// What a boolean, a number and a pair tell besides their value.
+template <typename State>
+void tellChange(const ActionState &s, State &state)
+{
+    state.changedSinceLastSync = s.changed;
+    state.lastChangeTime = s.changeTime;
+    state.isActive = s.isActive;
+}
+
 // \a name: of the C function; the state that is asked for, or an error.
 XrResult stateOf(const char *name, XrSession session, const XrActionStateGetInfo *info, XrActionType type,
                  const std::function<void(const ActionState &)> &take)
@@ -140,9 +149,7 @@ XrResult XRAPI_CALL getActionStateBoolean(XrSession session, const XrActionState
     return stateOf("xrGetActionStateBoolean", session, info, XR_ACTION_TYPE_BOOLEAN_INPUT,
                    [&](const ActionState &s) {
                        state->currentState = s.x > 0.5f;
-                       state->changedSinceLastSync = s.changed;
-                       state->lastChangeTime = s.changeTime;
-                       state->isActive = s.isActive;
+                       tellChange(s, *state);
                    });
 }
 
@@ -152,9 +159,7 @@ XrResult XRAPI_CALL getActionStateFloat(XrSession session, const XrActionStateGe
     return stateOf("xrGetActionStateFloat", session, info, XR_ACTION_TYPE_FLOAT_INPUT,
                    [&](const ActionState &s) {
                        state->currentState = s.x;
-                       state->changedSinceLastSync = s.changed;
-                       state->lastChangeTime = s.changeTime;
-                       state->isActive = s.isActive;
+                       tellChange(s, *state);
                    });
 }
 
@@ -164,9 +169,7 @@ XrResult XRAPI_CALL getActionStateVector2f(XrSession session, const XrActionStat
     return stateOf("xrGetActionStateVector2f", session, info, XR_ACTION_TYPE_VECTOR2F_INPUT,
                    [&](const ActionState &s) {
                        state->currentState = {s.x, s.y};
-                       state->changedSinceLastSync = s.changed;
-                       state->lastChangeTime = s.changeTime;
-                       state->isActive = s.isActive;
+                       tellChange(s, *state);
                    });
 }
 
