@@ -32,6 +32,7 @@ struct PainterUnderTest
 
     const Painting &painting() const { return window->painting().painting(); }
     std::string print() const { return paintingFingerprint(painting()); }
+    int strokes(LayerId layer) const { return painting().findLayer(layer)->elementCount(); }
 
     void shot(const QString &name)
     {
