@@ -18,7 +18,6 @@ public:
     void setPicture(const QImage &picture);
     /// How much of the film is seen, 0..1.
     void setUnderlay(double share);
-    double underlay() const { return mUnderlay; }
 
     /// Where the whole sheet is, in the widget.
     QRectF sheetRect() const;

@@ -33,8 +33,6 @@ public:
 
     /// The layer whose row the ray is on, while it is: what is let go of there is dropped on it.
     void setDropLayer(std::optional<LayerId> layer) { mDropLayer = layer; }
-    /// A choice is carried, to be dropped.
-    bool isCarrying() const { return mIsChoosing && !mWindow.view().selection().empty(); }
 
     /// Those commands that are about the painting; panels are others' business.
     void perform(const std::vector<HandCommand> &commands, const HandsInput &input);

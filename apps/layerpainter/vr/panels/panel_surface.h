@@ -25,7 +25,6 @@ public:
     const QImage &image();
     /// Counts the pictures that were drawn.
     int imageNumber() const { return mImageNumber; }
-    bool isStale() const { return mIsStale; }
 
     // Pointer events, in logical pixels of the frame. They are delivered from the event loop, not from inside
     // these calls: a menu that opens may stay for long.
