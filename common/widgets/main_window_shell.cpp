@@ -3,6 +3,7 @@
 #include "document/document_files.h"
 #include "widgets/controls/folding_section.h"
 #include "widgets/pages/start_page.h"
+#include "widgets/shell/control_keys.h"
 #include "widgets/shell/hint_label.h"
 #include "widgets/shell/inspector.h"
 #include "widgets/shell/job_chip.h"
@@ -37,6 +38,7 @@ MainWindowShell::MainWindowShell(const AppIdentity &identity, const ShellService
     DUCTUS_ASSERT(services.settings && services.jobs && services.actions);
     setObjectName(QStringLiteral("mainWindow"));
     setAcceptDrops(true);
+    new ControlKeys(this);
     setContextMenuPolicy(Qt::NoContextMenu); // QMainWindow's own lists the docks, which the View menu does
     applyTheme();
     buildLayout();
