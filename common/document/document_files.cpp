@@ -1,5 +1,6 @@
 #include "document/document_files.h"
 
+#include "document/words/engine_words.h"
 #include "doodling/storage/doodle_content.h"
 #include "painting/storage/painting_content.h"
 #include "project/project_reader.h"
@@ -15,13 +16,13 @@ namespace {
 
 QString inWords(const Error &error)
 {
-    return QString::fromStdString(error.problem);
+    return engineWords(error.problem);
 }
 
-QString text(const char *source)
+struct Words
 {
-    return QCoreApplication::translate("ductus::DocumentFiles", source);
-}
+    Q_DECLARE_TR_FUNCTIONS(ductus::DocumentFiles)
+};
 
 Error goneError(const char *attempted)
 {
@@ -61,7 +62,7 @@ Result<OpenedProject> openProjectFile(const QString &path, const QString &applic
         return project.error();
     opened.project = std::move(project).value();
     if (opened.readOnlyReason.isEmpty() && !QFileInfo(opened.filePath).isWritable()) {
-        opened.readOnlyReason = text("the file may not be written");
+        opened.readOnlyReason = Words::tr("the file may not be written");
         opened.lock.reset();
     }
     return opened;
@@ -79,7 +80,8 @@ Result<OpenNotes> adoptProject(Document &document, OpenedProject opened)
     if (!document.isReadOnly() && !opened.readOnlyReason.isEmpty())
         document.setReadOnly(opened.readOnlyReason);
     if (document.isReadOnly())
-        notes.warnings << text("%1 is open for reading only: %2. Save under another name to keep changes.")
+        notes.warnings << Words::tr(
+                              "%1 is open for reading only: %2. Save under another name to keep changes.")
                               .arg(document.displayName(), document.readOnlyReason());
     return notes;
 }
@@ -109,11 +111,11 @@ JobId openDocument(Document &document, JobRunner &runner, const QString &path,
 {
     const QString application = QCoreApplication::applicationName();
     const bool isLocked = document.holdsLock() && document.filePath() == QFileInfo(path).absoluteFilePath();
-    const JobSpec spec{QStringLiteral("open"), text("Opening %1").arg(QFileInfo(path).fileName())};
+    const JobSpec spec{QStringLiteral("open"), Words::tr("Opening %1").arg(QFileInfo(path).fileName())};
     return runner.start<OpenedProject>(
         spec,
         [path, application, isLocked](const JobControl &control) {
-            control.progress(0.0, text("Reading the file").toStdString());
+            control.progress(0.0, Words::tr("Reading the file").toStdString());
             return openProjectFile(path, application, isLocked);
         },
         [target = QPointer(&document), finish](Result<OpenedProject> opened) {
@@ -131,12 +133,13 @@ JobId saveDocument(Document &document, JobRunner &runner, const QString &path,
 {
     auto request = std::make_shared<SaveRequest>(saveRequest(document, path));
     // One after the other, and not to be cancelled half way: it takes a second.
-    const JobSpec spec{QStringLiteral("save"), text("Saving %1").arg(QFileInfo(request->filePath).fileName()),
-                       false, false, true};
+    const JobSpec spec{QStringLiteral("save"),
+                       Words::tr("Saving %1").arg(QFileInfo(request->filePath).fileName()), false, false,
+                       true};
     return runner.start<SaveReport>(
         spec,
         [request](const JobControl &control) {
-            control.progress(0.0, text("Writing the file").toStdString());
+            control.progress(0.0, Words::tr("Writing the file").toStdString());
             return writeSave(*request);
         },
         [target = QPointer(&document), request, finish](Result<SaveReport> report) {

@@ -4,6 +4,7 @@
 #include "document/jobs/job_runner.h"
 #include "document/settings/action_catalogue.h"
 #include "document/settings/settings.h"
+#include "widgets/language/language.h"
 #include "widgets/main_window_shell.h"
 
 #include <QApplication>
@@ -32,6 +33,7 @@ int runWindow(int &argc, char **argv, const AppNames &names, const QStringList &
     QApplication app(argc, argv);
     setAppNames(names);
     Settings settings;
+    speakAsChosen(app, settings, QString::fromLatin1(names.program));
     JobRunner jobs;
     ActionCatalogue actions(&settings);
     Window window(ShellServices{&settings, &jobs, &actions});

@@ -1,6 +1,7 @@
 #include "document/jobs/job_runner.h"
 
 #include "document/jobs/remaining_time.h"
+#include "document/words/engine_words.h"
 
 #include <QCoreApplication>
 #include <QEventLoop>
@@ -55,7 +56,7 @@ struct JobRunner::Job
         result.isWaiting = !thread;
         const std::lock_guard guard(mutex);
         result.fraction = fraction;
-        result.text = QString::fromStdString(text);
+        result.text = engineWords(text);
         if (thread)
             result.remainingSeconds = remaining.estimate(double(clock.elapsed()) / 1000.0);
         return result;

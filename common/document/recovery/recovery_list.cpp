@@ -1,6 +1,7 @@
 #include "document/recovery/recovery_list.h"
 
 #include "document/project_picture.h"
+#include "document/words/engine_words.h"
 #include "project/project_reader.h"
 
 #include <QCoreApplication>
@@ -93,7 +94,7 @@ Result<OpenNotes> adoptRecovered(Document &document, OpenedProject opened, const
         if (lock)
             opened.lock.emplace(std::move(lock).value());
         else
-            opened.readOnlyReason = QString::fromStdString(lock.error().problem);
+            opened.readOnlyReason = engineWords(lock.error().problem);
     }
     Result<OpenNotes> notes = adoptProject(document, std::move(opened));
     if (!notes)

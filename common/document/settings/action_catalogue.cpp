@@ -32,6 +32,12 @@ QString plainText(const QString &actionText)
 {
     QString text;
     for (qsizetype i = 0; i < actionText.size(); ++i) {
+        // Where no letter of a word can be pressed, as in Japanese, the key stands behind: "開く(&O)...".
+        if (actionText[i] == QLatin1Char('(') && i + 3 < actionText.size() &&
+            actionText[i + 1] == QLatin1Char('&') && actionText[i + 3] == QLatin1Char(')')) {
+            i += 3;
+            continue;
+        }
         if (actionText[i] == QLatin1Char('&') && i + 1 < actionText.size())
             ++i;
         text += actionText[i];

@@ -112,6 +112,8 @@ void ActionCatalogueTest::plainTexts()
     QCOMPARE(plainText("Save && quit"), QString("Save & quit"));
     QCOMPARE(plainText("Find\u2026"), QString("Find"));
     QCOMPARE(plainText("&"), QString("&"));
+    QCOMPARE(plainText("開く(&O)..."), QString("開く"));
+    QCOMPARE(plainText("Open (&)"), QString("Open ()"));
 }
 
 int main(int argc, char *argv[])

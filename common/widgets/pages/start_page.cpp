@@ -4,6 +4,7 @@
 #include "widgets/controls/flow_layout.h"
 #include "widgets/pages/recent_row.h"
 #include "widgets/pages/sample_card.h"
+#include "widgets/pages/sample_words.h"
 #include "widgets/theme/icons.h"
 
 #include <QHBoxLayout>
@@ -164,7 +165,9 @@ void StartPage::setSamples(const QList<SampleCard> &samples)
 {
     clearLayout(mSamples);
     mSamplesHeading->setVisible(!samples.isEmpty());
-    for (const SampleCard &sample : samples) {
+    for (SampleCard sample : samples) {
+        sample.title = sampleWords(sample.title);
+        sample.lesson = sampleWords(sample.lesson);
         auto *card = new SampleCardButton(sample);
         connect(card, &QAbstractButton::clicked, this, [this, path = sample.path] { emit openSample(path); });
         mSamples->addWidget(card);

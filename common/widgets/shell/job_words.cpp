@@ -9,10 +9,10 @@ namespace ductus {
 
 namespace {
 
-QString text(const char *source, int number = -1)
+struct Words
 {
-    return QCoreApplication::translate("ductus::JobWords", source, nullptr, number);
-}
+    Q_DECLARE_TR_FUNCTIONS(ductus::JobWords)
+};
 
 } // namespace
 
@@ -21,13 +21,13 @@ QString remainingWords(std::optional<int> seconds)
     if (!seconds)
         return {};
     if (*seconds < 5)
-        return text("a few seconds");
+        return Words::tr("a few seconds");
     if (*seconds < 55)
-        return text("about %1 s").arg((*seconds + 4) / 5 * 5);
+        return Words::tr("about %1 s").arg((*seconds + 4) / 5 * 5);
     const int minutes = (*seconds + 29) / 60;
     if (minutes < 60)
-        return text("about %1 min").arg(std::max(1, minutes));
-    return text("about %1 h").arg(QLocale().toString(double(*seconds) / 3600.0, 'f', 1));
+        return Words::tr("about %1 min").arg(std::max(1, minutes));
+    return Words::tr("about %1 h").arg(QLocale().toString(double(*seconds) / 3600.0, 'f', 1));
 }
 
 QString percentWords(double fraction)
@@ -40,9 +40,9 @@ QString percentWords(double fraction)
 QString jobLine(const JobState &state)
 {
     if (state.isCancelling)
-        return text("Stopping: %1").arg(state.spec.title);
+        return Words::tr("Stopping: %1").arg(state.spec.title);
     if (state.isWaiting)
-        return text("Waiting: %1").arg(state.spec.title);
+        return Words::tr("Waiting: %1").arg(state.spec.title);
     return state.text.isEmpty() ? state.spec.title : state.text;
 }
 

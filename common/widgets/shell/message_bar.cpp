@@ -1,5 +1,6 @@
 #include "widgets/shell/message_bar.h"
 
+#include "document/words/engine_words.h"
 #include "widgets/theme/icons.h"
 
 #include <QHBoxLayout>
@@ -49,11 +50,13 @@ IconTint tintOf(MessageKind kind)
 
 QString sentence(const std::string &words)
 {
-    QString text = QString::fromStdString(words);
-    if (!text.isEmpty())
-        text[0] = text[0].toUpper();
-    if (!text.isEmpty() && !text.endsWith(QLatin1Char('.')) && !text.endsWith(QLatin1Char('?')))
-        text += QLatin1Char('.');
+    QString text = engineWords(words);
+    if (text.isEmpty())
+        return text;
+    text[0] = text[0].toUpper();
+    const QString ends = QStringLiteral(".?\u3002"); // the last one is the Japanese full stop
+    if (!ends.contains(text.back()))
+        text += MessageBar::tr(".", "ends a sentence");
     return text;
 }
 
@@ -66,11 +69,10 @@ Message messageFrom(const Error &error)
     QString where;
     if (!error.place.empty())
         where = QStringLiteral(" (%1)").arg(QString::fromStdString(error.place));
-    const QString problem = QString::fromStdString(error.problem);
-    message.what =
-        error.attempted.empty()
-            ? sentence(error.problem)
-            : MessageBar::tr("%1 failed: %2%3.").arg(QString::fromStdString(error.attempted), problem, where);
+    const QString problem = engineWords(error.problem);
+    message.what = error.attempted.empty()
+                       ? sentence(error.problem)
+                       : MessageBar::tr("%1 failed: %2%3.").arg(engineWords(error.attempted), problem, where);
     message.remedy = sentence(error.remedy);
     return message;
 }

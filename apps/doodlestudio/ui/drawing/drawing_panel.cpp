@@ -47,6 +47,15 @@ QIcon swatch(const QColor &colour)
     return pixmap;
 }
 
+// For the translators: stickerNames() as people call them.
+[[maybe_unused]] const char *const stickerWords[] = {
+    QT_TRANSLATE_NOOP("ductus::DrawingPanel", "star"),  QT_TRANSLATE_NOOP("ductus::DrawingPanel", "heart"),
+    QT_TRANSLATE_NOOP("ductus::DrawingPanel", "check"), QT_TRANSLATE_NOOP("ductus::DrawingPanel", "cross"),
+    QT_TRANSLATE_NOOP("ductus::DrawingPanel", "smile"), QT_TRANSLATE_NOOP("ductus::DrawingPanel", "frown"),
+    QT_TRANSLATE_NOOP("ductus::DrawingPanel", "ring"),  QT_TRANSLATE_NOOP("ductus::DrawingPanel", "bubble"),
+    QT_TRANSLATE_NOOP("ductus::DrawingPanel", "bang"),  QT_TRANSLATE_NOOP("ductus::DrawingPanel", "question"),
+    QT_TRANSLATE_NOOP("ductus::DrawingPanel", "bulb"),  QT_TRANSLATE_NOOP("ductus::DrawingPanel", "bolt")};
+
 QIcon stickerIcon(std::string_view name)
 {
     QPixmap pixmap(48, 48);
@@ -153,15 +162,17 @@ void DrawingPanel::buildTools(QVBoxLayout *layout)
     mStickers = new QComboBox;
     mStickers->setAccessibleName(tr("Sticker"));
     mStickers->setIconSize({24, 24});
-    for (const std::string_view name : stickerNames())
-        mStickers->addItem(stickerIcon(name), QString::fromUtf8(name.data(), qsizetype(name.size())));
+    for (const std::string_view name : stickerNames()) {
+        const QByteArray id(name.data(), qsizetype(name.size()));
+        mStickers->addItem(stickerIcon(name), tr(id.constData()), QString::fromLatin1(id));
+    }
     layout->addWidget(mStickers);
     const auto takeSticker = [this] {
         Brush brush = mState.brush();
-        brush.sticker = mStickers->currentText();
+        brush.sticker = mStickers->currentData().toString();
         mState.setBrush(brush);
     };
-    connect(mStickers, &QComboBox::currentTextChanged, this, takeSticker);
+    connect(mStickers, &QComboBox::currentIndexChanged, this, takeSticker);
     takeSticker();
 }
 

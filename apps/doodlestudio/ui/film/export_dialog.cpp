@@ -1,6 +1,7 @@
 #include "doodlestudio/ui/film/export_dialog.h"
 
 #include "document/document_files.h"
+#include "document/words/engine_words.h"
 
 #include <QButtonGroup>
 #include <QCheckBox>
@@ -24,9 +25,9 @@ constexpr int slideLines = 360; // small enough to be mailed, large enough to be
 
 QString words(const Error &error)
 {
-    QString text = QString::fromStdString(error.problem);
+    QString text = engineWords(error.problem);
     if (!error.remedy.empty())
-        text += QStringLiteral(". ") + QString::fromStdString(error.remedy) + QLatin1Char('.');
+        text += QStringLiteral(". ") + engineWords(error.remedy) + QLatin1Char('.');
     return text;
 }
 

@@ -103,7 +103,7 @@ void StudioWindow::addPlayActions()
              play},
             [this] { mPlayback.step(1); });
     all.add({"play.start",
-             tr("To the &beginning"),
+             tr("To the be&ginning"),
              tr("Goes to the first frame."),
              "media-skip-backward",
              {QKeySequence(Qt::Key_Home)},
@@ -192,7 +192,7 @@ void StudioWindow::addCanvasActions()
              canvas},
             [this] { mCanvasList->duplicateChosen(); });
     all.add({"canvas.remove",
-             tr("&Take canvas away"),
+             tr("Ta&ke canvas away"),
              tr("Takes the canvas and its drawings away."),
              "edit-delete",
              {QKeySequence("Ctrl+Delete")},

@@ -1,6 +1,7 @@
 // Finding out how the scene moves, in DoodleStudio's window: from the cache where it was kept, else from the
 // clip.
 #include "document/document_files.h"
+#include "document/words/engine_words.h"
 #include "doodlestudio/ui/window/studio_window.h"
 #include "doodling/reconstruction/analysed_shot.h"
 #include "widgets/shell/message_bar.h"
@@ -61,7 +62,7 @@ void StudioWindow::analyse()
                 if (analysed.cacheProblem)
                     messages()->warning(
                         tr("What was found out is kept in the project, as the cache cannot be used: %1")
-                            .arg(QString::fromStdString(analysed.cacheProblem->problem)));
+                            .arg(engineWords(analysed.cacheProblem->problem)));
                 mDoodle.setShot(analysed.shot, analysed.digest);
                 return;
             }

@@ -7,6 +7,7 @@
 #include "doodlestudio/ui/timeline/timeline_view.h"
 #include "doodlestudio/ui/window/studio_window.h"
 #include "doodling/clip/clip_sound.h"
+#include "widgets/pages/sample_words.h"
 #include "widgets/pages/start_page.h"
 #include "widgets/shell/message_bar.h"
 
@@ -117,7 +118,7 @@ void StudioWindow::openSample(const QString &id)
     QString title = id;
     for (const QJsonValue &sample : sampleList())
         if (sample["id"].toString() == id)
-            title = sample["title"].toString();
+            title = sampleWords(sample["title"].toString());
     if (Result<void> started = mDoodle.startSample(std::move(*project), clip, title); !started) {
         showError(started.error());
         return;

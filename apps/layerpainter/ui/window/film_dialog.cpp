@@ -1,5 +1,6 @@
 #include "layerpainter/ui/window/film_dialog.h"
 
+#include "document/settings/action_catalogue.h"
 #include "widgets/controls/number_slider.h"
 
 #include <QCheckBox>
@@ -50,7 +51,7 @@ FilmDialog::FilmDialog(std::shared_ptr<const Painting> painting, const CameraKey
         auto *made = new QComboBox;
         made->setToolTip(teaches);
         form->addRow(label, made);
-        made->setAccessibleName(QString(label).remove(QLatin1Char('&')));
+        made->setAccessibleName(plainText(label));
         connect(made, &QComboBox::currentIndexChanged, this, &FilmDialog::refresh);
         return made;
     };

@@ -92,7 +92,7 @@ void PainterWindow::addActions()
              edit},
             [this] { deleteSelection(); });
     all.add({"edit.duplicate",
-             tr("D&uplicate into layer"),
+             tr("Duplicate &into layer"),
              tr("Copies of the chosen strokes in the active layer: how highlights and shadows are made."),
              "edit-copy",
              {QKeySequence("Ctrl+D")},
@@ -109,7 +109,7 @@ void PainterWindow::addActions()
                     (void)mPainting.perform(act::MoveElements{mView->selection(), mBrush.layer, 0});
             });
     all.add({"edit.recolour",
-             tr("&Recolour"),
+             tr("Rec&olour"),
              tr("Gives the chosen strokes the present colour."),
              "format-stroke-color",
              {QKeySequence("Ctrl+R")},
@@ -167,14 +167,14 @@ void PainterWindow::addActions()
              layer},
             [this] { mLayers->tree().renameCurrent(); });
     all.add({"layer.remove",
-             tr("De&lete layer"),
+             tr("D&elete layer"),
              tr("Undo brings it back."),
              "edit-delete",
              {QKeySequence("Ctrl+Delete")},
              layer},
             [this] { mLayers->removeLayer(); });
     all.add({"view.frame",
-             tr("&Frame all"),
+             tr("Fr&ame all"),
              tr("Back to the painting's own view."),
              "zoom-fit-best",
              {QKeySequence("F"), QKeySequence("Home")},

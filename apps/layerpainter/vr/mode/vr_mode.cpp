@@ -1,5 +1,6 @@
 #include "layerpainter/vr/mode/vr_mode.h"
 
+#include "document/words/engine_words.h"
 #include "layerpainter/document/default_view.h"
 #include "layerpainter/vr/draw/eye_camera.h"
 
@@ -25,7 +26,7 @@ VrMode::VrMode(PainterWindow &window, QObject *parent) : QObject(parent), mWindo
     connect(&mMirrorPace, &QTimer::timeout, this, [this] { mWindow.view().update(); });
     connect(&mWindow.painting(), &PaintingDocument::refused, this, [this](const Error &error) {
         if (mPanels)
-            mPanels->tell(QString::fromStdString(error.problem));
+            mPanels->tell(engineWords(error.problem));
     });
     connect(&mWindow.painting(), &Document::changed, this, [this](const ChangeEvent &event) {
         if (isActive() && event.as<DocumentReset>())

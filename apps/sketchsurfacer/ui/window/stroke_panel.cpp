@@ -3,6 +3,7 @@
 #include <QComboBox>
 #include <QEvent>
 #include <QFormLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
 #include <QPushButton>
@@ -66,7 +67,11 @@ StrokePanel::StrokePanel(SketchDocument &document, SketchPresenter &presenter, T
         mRole->addItem(roleIcon(role), roleName(role), int(role));
     mDelete = new QPushButton(tr("&Delete"));
     mDelete->setToolTip(tr("Takes the chosen strokes out of the sketch (Del). Undo brings them back."));
-    form->addRow(mChosen, mDelete);
+    // A row of its own: its words would take the room of the role beside them.
+    auto *chosen = new QHBoxLayout;
+    chosen->addWidget(mChosen);
+    chosen->addWidget(mDelete, 1);
+    form->addRow(chosen);
     form->addRow(tr("&Role"), mRole);
     mFoundRow = newFoundRow();
     form->addRow(mFoundRow);

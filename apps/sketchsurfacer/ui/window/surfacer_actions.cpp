@@ -201,7 +201,7 @@ void SurfacerWindow::addToolActions()
          tr("Yellow: what you scribble over becomes a surface of its own."), "new-region", "N"},
         {ToolKind::Merge, "tool.merge", tr("&Merge regions"),
          tr("Green: the regions you connect become one."), "merge", "M"},
-        {ToolKind::Seam, "tool.seam", tr("&Seam"), tr("Red: a crease must run exactly here."), "seam", "S"},
+        {ToolKind::Seam, "tool.seam", tr("Se&am"), tr("Red: a crease must run exactly here."), "seam", "S"},
         {ToolKind::Split, "tool.split", tr("S&plit region"),
          tr("Orange: cuts a region in two along your line."), "edit-cut", "X"},
         {ToolKind::ForbidSeam, "tool.forbidSeam", tr("&Forbid seam"), tr("Blue: no crease may run here."),
@@ -272,7 +272,7 @@ void SurfacerWindow::addViewActions()
              {QKeySequence("F"), QKeySequence("Home")},
              view},
             [this] { mView->frameAll(); });
-    all.add({"view.zoomIn", tr("Zoom &in"), tr("Comes nearer."), "zoom-in", {QKeySequence::ZoomIn}, view},
+    all.add({"view.zoomIn", tr("&Zoom in"), tr("Comes nearer."), "zoom-in", {QKeySequence::ZoomIn}, view},
             [this] { mView->zoomBy(0.8); });
     all.add({"view.zoomOut", tr("Zoom o&ut"), tr("Steps back."), "zoom-out", {QKeySequence::ZoomOut}, view},
             [this] { mView->zoomBy(1.25); });
@@ -295,7 +295,7 @@ void SurfacerWindow::addViewActions()
                                          [this](bool on) { mView->setPerspective(on); });
     perspective->setChecked(true);
     QAction *strokes = all.addToggle({"view.strokes",
-                                      tr("&Strokes on the surface"),
+                                      tr("St&rokes on the surface"),
                                       tr("Shows the sketch on top of the surface."),
                                       "stroke",
                                       {QKeySequence("T")},
@@ -303,7 +303,7 @@ void SurfacerWindow::addViewActions()
                                      [this](bool on) { mView->setStrokesShown(on); });
     strokes->setChecked(true);
     all.addToggle({"view.turntable",
-                   tr("T&urntable"),
+                   tr("&Turntable"),
                    tr("Turns the view by itself, to look at it from all sides."),
                    "view-refresh",
                    {QKeySequence("G")},
@@ -353,7 +353,7 @@ void SurfacerWindow::fillMenus()
     addToMenu(editMenu(), named({"edit.paste", "edit.delete", "edit.selectAll", "edit.mirror"}));
     addToMenu(viewMenu(), named({"view.frame", "view.zoomIn", "view.zoomOut", "view.perspective",
                                  "view.strokes", "view.compare", "view.ambiguity", "view.turntable"}));
-    QMenu *presets = new QMenu(tr("Look &from"), this);
+    QMenu *presets = new QMenu(tr("Loo&k from"), this);
     presets->addActions(named({"view.front", "view.back", "view.right", "view.left", "view.top",
                                "view.bottom", "view.threeQuarter"}));
     addToMenu(viewMenu(), {presets->menuAction()});
