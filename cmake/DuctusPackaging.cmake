@@ -92,6 +92,6 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # keep the caches of types, menus and icons, when Ductus comes and when it goes; it needs no scripts of its own.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS
     "libqt6svg6, shared-mime-info, desktop-file-utils, hicolor-icon-theme")
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libgl1-mesa-dri, fonts-noto-core, qt6-wayland")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libgl1-mesa-dri, fonts-noto-core, qt6-wayland, qt6-translations-l10n")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "colmap")
 include(CPack)
