@@ -6,6 +6,7 @@
 #include "layerpainter/cli/render_command.h"
 #include "layerpainter/cli/replay_command.h"
 #include "layerpainter/cli/thumbnail_command.h"
+#include "layerpainter/cli/update_command.h"
 #include "layerpainter/vr/window/run_window.h"
 
 #include <QCoreApplication>
@@ -27,6 +28,7 @@ constexpr const char *usage =
     "  render IN -o OUT        a still (.png) or a film (.mp4, .webm, .gif, folder), in any look\n"
     "  export IN -o OUT.glb    a mesh whose vertices have the layers' colours\n"
     "  replay LOG -o P.ductus  an action log or a script of actions becomes a painting\n"
+    "  update P.ductus         takes what changed in the sketches its surfaces were made from\n"
     "  thumbnail P.ductus -o T.png  a small picture\n"
     "  info P.ductus           what a project holds\n"
     "  validate P.ductus       whether a project is sound\n"
@@ -45,6 +47,8 @@ Command commandOf(const QString &word)
         return ductus::runExportCommand;
     if (word == QLatin1String("replay"))
         return ductus::runReplayCommand;
+    if (word == QLatin1String("update"))
+        return ductus::runUpdateCommand;
     if (word == QLatin1String("thumbnail"))
         return ductus::runThumbnailCommand;
     if (word == QLatin1String("info"))

@@ -67,7 +67,9 @@ ExitCode run(const ImportArguments &a, TerminalJob &job)
     if (Result<void> writable = checkOutputs(a); !writable)
         return failed(job, writable.error());
     control.progress(0.0, "Reading the file");
-    const Result<ImportedFile> imported = importFile(a.input, a.options, control.part(0.0, 0.8));
+    FileImportOptions options = a.options;
+    options.seenFrom = std::filesystem::absolute(a.output).parent_path();
+    const Result<ImportedFile> imported = importFile(a.input, options, control.part(0.0, 0.8));
     if (!imported)
         return failed(job, imported.error());
     control.progress(0.8, "Writing the project");

@@ -69,6 +69,7 @@ struct Words
         return strokes(PaintingDocument::tr("Recolour stroke"), PaintingDocument::tr("Recolour %1 strokes"),
                        a.elements.size());
     }
+    QString operator()(const act::ReplaceShape &) const { return PaintingDocument::tr("Update surface"); }
     QString operator()(const act::AddLook &) const { return PaintingDocument::tr("Add look"); }
     QString operator()(const act::UpdateLook &) const { return PaintingDocument::tr("Update look"); }
     QString operator()(const act::ApplyLook &) const { return PaintingDocument::tr("Switch look"); }
@@ -97,7 +98,7 @@ PaintingChanged changeOf(const PaintingAction &action)
                                   act::RenameLayer, act::LockLayer>();
     change.elements = is.operator()<act::RemoveStack, act::RemoveLayer, act::MoveLayer, act::DuplicateLayer,
                                     act::Draw, act::Erase, act::Cut, act::MoveElements, act::Duplicate,
-                                    act::Transform, act::Recolour>();
+                                    act::Transform, act::Recolour, act::ReplaceShape>();
     change.properties = is.operator()<act::SetProperties, act::SetTolerance, act::ApplyLook>();
     change.looks =
         is.operator()<act::AddLook, act::UpdateLook, act::ApplyLook, act::RenameLook, act::RemoveLook>();

@@ -5,6 +5,7 @@
 #include "painting/edit/element_edits.h"
 #include "painting/edit/layer_edits.h"
 #include "painting/import/painting_import.h"
+#include "painting/link/surface_link.h"
 #include "painting/scene/painting_check.h"
 #include "project/project_reader.h"
 
@@ -41,16 +42,20 @@ std::string nameOf(const std::filesystem::path &path)
 }
 
 /// \a colours: linear RGB and opacity of the vertices; clay if there are none.
-Result<void> addMeshStack(Painting &painting, const std::string &name, TriangleMesh mesh,
-                          const std::vector<Eigen::Vector4f> &colours = {})
+MeshShape meshShape(TriangleMesh mesh, const std::vector<Eigen::Vector4f> &colours)
 {
-    const Result<AddedStack> stack = addStack(painting, name);
-    if (!stack)
-        return stack.error();
     MeshShape shape{std::move(mesh), {}};
     shape.vertexColours.assign(shape.mesh.vertices.size(), clay);
     for (std::size_t v = 0; v < colours.size(); ++v)
         shape.vertexColours[v] = colours[v].head<3>();
+    return shape;
+}
+
+Result<void> addMeshStack(Painting &painting, const std::string &name, MeshShape shape)
+{
+    const Result<AddedStack> stack = addStack(painting, name);
+    if (!stack)
+        return stack.error();
     Result<AddedElements> added = addElements(stack->painting, stack->substrate,
                                               {std::make_shared<const ElementShape>(std::move(shape))});
     if (!added)
@@ -85,8 +90,8 @@ Result<ImportedFile> importMesh(const std::filesystem::path &path, const JobCont
     if (!mesh)
         return mesh.error();
     ImportedFile imported{{}, "mesh", nameOf(path), {}, {}};
-    if (const Result<void> added =
-            addMeshStack(imported.painting, imported.name, std::move(mesh->mesh), mesh->vertexColours);
+    if (const Result<void> added = addMeshStack(imported.painting, imported.name,
+                                                meshShape(std::move(mesh->mesh), mesh->vertexColours));
         !added)
         return placedIn(added.error(), path);
     if (mesh->vertexColours.empty())
@@ -97,18 +102,19 @@ Result<ImportedFile> importMesh(const std::filesystem::path &path, const JobCont
     return imported;
 }
 
-Result<ImportedFile> importSurfacesOf(const std::filesystem::path &path)
+Result<ImportedFile> importSurfacesOf(const std::filesystem::path &path, const FileImportOptions &options)
 {
     const Result<Project> project = openProject(path);
     if (!project)
         return placedIn(project.error(), path);
-    Result<ImportedFile> imported = importSurfaces(*project, nameOf(path));
+    Result<ImportedFile> imported =
+        importSurfaces(*project, nameOf(path), linkedFileName(path, options.seenFrom));
     return imported ? imported : placedIn(imported.error(), path);
 }
 
 } // namespace
 
-Result<ImportedFile> importSurfaces(const Project &project, const std::string &name)
+Result<ImportedFile> importSurfaces(const Project &project, const std::string &name, const std::string &file)
 {
     ImportedFile imported{{}, "sketch-surface", name, {}, {}};
     for (const ProjectDocument &document : project.documents) {
@@ -121,7 +127,7 @@ Result<ImportedFile> importSurfaces(const Project &project, const std::string &n
         imported.painting.metresPerUnit = document.sketchSurface->strokes.metresPerUnit;
         if (const Result<void> added =
                 addMeshStack(imported.painting, document.name.empty() ? name : document.name,
-                             document.sketchSurface->surface->mesh);
+                             linkedSurface(document, file));
             !added)
             return added.error();
     }
@@ -140,14 +146,8 @@ Result<ImportedFile> importFile(const std::filesystem::path &path, const FileImp
         return Error{ErrorCode::FileNotFound, "Importing the painting", "there is no such file",
                      "Check the name", path.string()};
     if (lowerExtension(path) == ".ductus")
-        return importSurfacesOf(path);
+        return importSurfacesOf(path, options);
     return isPaintingFile(path) ? importPaintingFile(path, options, control) : importMesh(path, control);
-}
-
-bool isImportable(const std::filesystem::path &path)
-{
-    static const std::string meshes[] = {".obj", ".ply", ".stl", ".off", ".glb"};
-    return isPaintingFile(path) || std::ranges::find(meshes, lowerExtension(path)) != std::end(meshes);
 }
 
 } // namespace ductus

@@ -22,6 +22,8 @@ struct ImportedFile
 struct FileImportOptions
 {
     bool firstFrameOnly = false; // of frame-by-frame layers
+    /// The folder links to other projects are seen from; empty: from anywhere.
+    std::filesystem::path seenFrom = {};
 };
 
 /// Quill folder, Quill.json or .quill; .tilt; OBJ, PLY, STL, OFF, GLB (one stack, clay colour); .ductus (each
@@ -29,10 +31,9 @@ struct FileImportOptions
 Result<ImportedFile> importFile(const std::filesystem::path &path, const FileImportOptions &options,
                                 const JobControl &control);
 
-/// Each finished surface of SketchSurfacer in \a project a stack; TooLittleData if there is none.
-Result<ImportedFile> importSurfaces(const Project &project, const std::string &name);
-
-/// True for files (and Quill folders) importFile() reads by their name; .ductus is not among them.
-bool isImportable(const std::filesystem::path &path);
+/// Each finished surface of SketchSurfacer in \a project a stack, linked to its sketch; TooLittleData if
+/// there is none. \a file: DocumentLink::file.
+Result<ImportedFile> importSurfaces(const Project &project, const std::string &name,
+                                    const std::string &file = {});
 
 } // namespace ductus

@@ -167,6 +167,7 @@ std::string PaintingDocument::actionLog() const
 Result<void> PaintingDocument::readFrom(const Project &project)
 {
     Result<StoredPainting> stored = paintingFromProject(project);
+    const bool isMadeOfSurfaces = !stored;
     if (!stored && stored.error().code == ErrorCode::TooLittleData)
         // Sent here by SketchSurfacer: its surfaces are what is painted on, in the same project.
         if (const Result<ImportedFile> surfaces = importSurfaces(project, ""))
@@ -175,6 +176,7 @@ Result<void> PaintingDocument::readFrom(const Project &project)
                                                                             UnknownPaintingMembers())};
     if (!stored)
         return stored.error();
+    mIsMadeOfSurfaces = isMadeOfSurfaces;
     mDocumentId = stored->documentId;
     mContent = stored->content;
     mPainting = std::shared_ptr<const Painting>(mContent, &mContent->painting());
@@ -200,6 +202,7 @@ void PaintingDocument::clear()
 {
     mPainting = std::make_shared<const Painting>();
     mContent = nullptr;
+    mIsMadeOfSurfaces = false;
     mDocumentId = Uuid::create();
     mPicture = {};
 }

@@ -30,6 +30,8 @@ public:
     /// For workers and views; never null.
     std::shared_ptr<const Painting> sharedPainting() const { return mPainting; }
     bool isEmpty() const { return mPainting->stacks.empty(); }
+    /// The project that was opened holds no painting: its surfaces were taken, and nothing is saved yet.
+    bool isMadeOfSurfaces() const { return mIsMadeOfSurfaces; }
 
     /// A new, unsaved document; history and log begin here. \a source: the file the painting was read from,
     /// for the log; empty for an empty painting.
@@ -66,6 +68,7 @@ private:
     std::shared_ptr<const Painting> mPainting;
     std::shared_ptr<const PaintingContent> mContent; // as read or last written; what is unknown
     Uuid mDocumentId;
+    bool mIsMadeOfSurfaces = false;
     QImage mPicture;
 
     std::shared_ptr<const Painting> mLogStart;

@@ -106,6 +106,10 @@ struct Performer
     {
         return without(recolourElements(painting, a.elements, a.colour));
     }
+    Outcome operator()(const act::ReplaceShape &a) const
+    {
+        return without(replaceShapes(painting, a.elements, a.strokes));
+    }
     Outcome operator()(const act::AddLook &a) const
     {
         AddedLook added = addLook(painting, a.name);

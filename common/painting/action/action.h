@@ -297,6 +297,20 @@ struct Recolour
     }
 };
 
+/// Other shapes for elements that stay where they are: what they were made from has changed.
+struct ReplaceShape
+{
+    static constexpr std::string_view word = "replaceShape";
+    std::vector<ElementId> elements;
+    std::vector<std::shared_ptr<const ElementShape>> strokes; // one for all, or one each
+    template <typename F>
+    void fields(F &f)
+    {
+        f.object("elements", elements);
+        f.parameter("strokes", strokes);
+    }
+};
+
 struct AddLook
 {
     static constexpr std::string_view word = "addLook";
@@ -429,9 +443,9 @@ using PaintingAction =
     std::variant<act::AddStack, act::RemoveStack, act::MoveStack, act::RenameStack, act::AddLayer,
                  act::RemoveLayer, act::MoveLayer, act::DuplicateLayer, act::RenameLayer, act::LockLayer,
                  act::SetProperties, act::SetTolerance, act::SetLayerMotion, act::Draw, act::Erase, act::Cut,
-                 act::MoveElements, act::Duplicate, act::Transform, act::Recolour, act::AddLook,
-                 act::UpdateLook, act::ApplyLook, act::RenameLook, act::RemoveLook, act::SetScene,
-                 act::SetCamera, act::AddGroup, act::SetGroupMotion, act::RemoveGroup>;
+                 act::MoveElements, act::Duplicate, act::Transform, act::Recolour, act::ReplaceShape,
+                 act::AddLook, act::UpdateLook, act::ApplyLook, act::RenameLook, act::RemoveLook,
+                 act::SetScene, act::SetCamera, act::AddGroup, act::SetGroupMotion, act::RemoveGroup>;
 
 /// "addStack"
 std::string_view actionWord(const PaintingAction &action);

@@ -59,9 +59,12 @@ OrderedJson meshJson(const MeshShape &shape)
         triangles.push_back({triangle[0], triangle[1], triangle[2]});
     for (const Eigen::Vector3f &colour : shape.vertexColours)
         colours.push_back(tripleJson(colour));
-    return {{"vertices", std::move(vertices)},
-            {"triangles", std::move(triangles)},
-            {"colours", std::move(colours)}};
+    OrderedJson json = {{"vertices", std::move(vertices)},
+                        {"triangles", std::move(triangles)},
+                        {"colours", std::move(colours)}};
+    if (shape.link)
+        json["link"] = linkJson(*shape.link);
+    return json;
 }
 
 class FieldWriter
@@ -175,6 +178,8 @@ std::shared_ptr<const ElementShape> readMesh(const JsonReader &reader)
     }
     for (const auto &row : reader.rows("colours", maxPoints, 3))
         shape.vertexColours.emplace_back(float(row[0]), float(row[1]), float(row[2]));
+    if (reader.has("link"))
+        shape.link = linkFromJson(reader.member("link"));
     return std::make_shared<const ElementShape>(std::move(shape));
 }
 

@@ -2,6 +2,7 @@
 
 #include "painting/edit/refusal.h"
 
+#include <unordered_map>
 #include <unordered_set>
 
 namespace ductus {
@@ -175,6 +176,30 @@ Result<Painting> transformElements(const Painting &painting, const std::vector<E
         return *error;
     if (!isValid)
         return refusal(attempted, "a stroke would become too large or too small", "Scale it less");
+    return changed;
+}
+
+Result<Painting> replaceShapes(const Painting &painting, const std::vector<ElementId> &elements,
+                               const std::vector<std::shared_ptr<const ElementShape>> &shapes)
+{
+    static const char attempted[] = "Replacing shapes";
+    if (elements.empty() || (shapes.size() != 1 && shapes.size() != elements.size()))
+        return refusal(attempted, "there is not one shape for all elements nor one for each",
+                       "Give one shape, or as many as elements");
+    std::unordered_map<ElementId, std::shared_ptr<const ElementShape>> shapeOf;
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+        const std::shared_ptr<const ElementShape> &shape = shapes[shapes.size() == 1 ? 0 : i];
+        if (!shape)
+            return refusal(attempted, "a shape is missing", "Give every element a shape");
+        shapeOf[elements[i]] = shape;
+    }
+    for (const auto &shape : shapes)
+        if (const Result<void> check = checkShape(*shape); !check)
+            return unsound(check.error(), attempted);
+    Painting changed = painting;
+    if (const auto error = changeElements(changed, elements, attempted, false,
+                                          [&](Element &element) { element.shape = shapeOf.at(element.id); }))
+        return *error;
     return changed;
 }
 

@@ -32,6 +32,10 @@ Result<AddedElements> duplicateElements(const Painting &painting, const std::vec
 Result<Painting> transformElements(const Painting &painting, const std::vector<ElementId> &elements,
                                    const Placement &change);
 
+/// Other shapes for \a elements, one for all or one each; all else about them stays.
+Result<Painting> replaceShapes(const Painting &painting, const std::vector<ElementId> &elements,
+                               const std::vector<std::shared_ptr<const ElementShape>> &shapes);
+
 /// One colour (linear RGB) for all points; opacities stay.
 Result<Painting> recolourElements(const Painting &painting, const std::vector<ElementId> &elements,
                                   const Eigen::Vector3f &colour);

@@ -4,8 +4,10 @@
 #include "geometry/triangle_mesh.h"
 #include "painting/scene/ids.h"
 #include "painting/scene/placement.h"
+#include "project/links/document_link.h"
 
 #include <memory>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -35,6 +37,7 @@ struct MeshShape
 {
     TriangleMesh mesh;
     std::vector<Eigen::Vector3f> vertexColours; // linear RGB, one a vertex
+    std::optional<DocumentLink> link = {};      // the sketch it is the surface of; copies share it
 };
 
 using ElementShape = std::variant<StrokeShape, MeshShape>;

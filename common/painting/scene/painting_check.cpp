@@ -179,6 +179,8 @@ private:
                 require(vertex >= 0 && vertex < mesh.vertexCount(), "a triangle has no such vertex");
         for (const Eigen::Vector3f &colour : shape.vertexColours)
             require(isColour(colour), "a colour is not in 0..1");
+        if (shape.link)
+            require(linkProblem(*shape.link).empty(), "a link is not one that can be stored");
     }
 
     void checkKeys(const std::vector<PlacementKey> &keys)

@@ -14,6 +14,11 @@ inline constexpr int maxPictureSide = 32768; // pixels
 OrderedJson paintingToJson(const Painting &painting, const UnknownPaintingMembers &unknown, const Uuid &id,
                            BufferPacker &packer);
 
+/// The same for a painting within a document of another kind: its arrays are slots (array_slots.h) until \a
+/// packer is finished and resolveArrays() was called.
+OrderedJson paintingWithSlots(const Painting &painting, const UnknownPaintingMembers &unknown, const Uuid &id,
+                              BufferPacker &packer);
+
 /// Reads version paintingVersion; what is wrong is told through \a reader (ask failed() afterwards). The
 /// result keeps the invariants of painting_check.h then.
 Painting paintingFromJson(const JsonReader &reader, ArrayLoader &arrays, UnknownPaintingMembers &unknown);

@@ -184,8 +184,6 @@ OrderedJson PaintingWriter::write(const Uuid &id)
     json["pictures"] = OrderedJson::array();
     for (const ReferencePicture &picture : mPainting.pictures)
         json["pictures"].push_back(pictureJson(picture));
-    mPacker.finish();
-    resolveArrays(json, mPacker);
     return kept(std::move(json), "");
 }
 
@@ -193,6 +191,15 @@ OrderedJson PaintingWriter::write(const Uuid &id)
 
 OrderedJson paintingToJson(const Painting &painting, const UnknownPaintingMembers &unknown, const Uuid &id,
                            BufferPacker &packer)
+{
+    OrderedJson json = paintingWithSlots(painting, unknown, id, packer);
+    packer.finish();
+    resolveArrays(json, packer);
+    return json;
+}
+
+OrderedJson paintingWithSlots(const Painting &painting, const UnknownPaintingMembers &unknown, const Uuid &id,
+                              BufferPacker &packer)
 {
     return PaintingWriter(painting, unknown, packer).write(id);
 }

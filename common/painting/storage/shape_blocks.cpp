@@ -122,7 +122,13 @@ void ShapeBlockWriter::addMesh(const MeshShape &shape)
                          {"triangles", addArray(mPacker, corners, 3)},
                          {"colours", addArray(mPacker, colours, 3, "linear RGB")}};
     mPacker.startBuffer();
-    if (const auto found = mUnknown.find(blockPlace(vertices)); found != mUnknown.end())
+    const std::string place = blockPlace(vertices);
+    if (shape.link) {
+        block["link"] = linkJson(*shape.link);
+        if (const auto found = mUnknown.find(place + "/link"); found != mUnknown.end())
+            addUnknown(block["link"], found->second);
+    }
+    if (const auto found = mUnknown.find(place); found != mUnknown.end())
         addUnknown(block, found->second);
     mBlocks.push_back(std::move(block));
 }
@@ -196,8 +202,14 @@ void readMesh(const JsonReader &block, ArrayLoader &arrays, UnknownPaintingMembe
     }
     for (std::size_t t = 0; t < corners.size() / 3; ++t)
         shape.mesh.triangles.push_back({corners[3 * t], corners[3 * t + 1], corners[3 * t + 2]});
+    const std::string place = blockPlace(vertices);
+    if (block.has("link")) {
+        const JsonReader link = block.member("link");
+        shape.link = linkFromJson(link);
+        keepUnknown(link, place + "/link", {"file", "document", "name", "sha256"}, unknown);
+    }
     shapes.push_back(std::make_shared<const ElementShape>(std::move(shape)));
-    keepUnknown(block, blockPlace(vertices), {"kind", "vertices", "triangles", "colours"}, unknown);
+    keepUnknown(block, place, {"kind", "vertices", "triangles", "colours", "link"}, unknown);
 }
 
 } // namespace

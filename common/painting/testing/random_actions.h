@@ -85,7 +85,9 @@ inline PaintingAction randomAction(const Painting &painting, Random &random)
                          random.index(2) ? samplePlacement(random) : Placement(),
                          {sampleStroke(random, 3, StrokeSection(random.index(4)))}};
     case 14:
-        return random.index(3) == 0 ? PaintingAction(act::Erase{some}) : act::Recolour{some, colour};
+        if (random.index(3) == 0)
+            return act::ReplaceShape{some, {sampleStroke(random, 4, StrokeSection(random.index(4)))}};
+        return random.index(2) == 0 ? PaintingAction(act::Erase{some}) : act::Recolour{some, colour};
     case 15: {
         const double from = random.uniform(0, double(points - 1) / 2);
         return act::Cut{stroke, {{from, from + 0.25 * double(points - 1)}}};
