@@ -3,8 +3,10 @@
 #include "doodlestudio/cli/analyse_command.h"
 #include "doodlestudio/cli/export_command.h"
 #include "doodlestudio/cli/inspect_commands.h"
+#include "doodlestudio/cli/place_command.h"
 #include "doodlestudio/cli/thumbnail_command.h"
 #include "doodlestudio/cli/track_command.h"
+#include "doodlestudio/cli/update_command.h"
 #include "doodlestudio/ui/run_window.h"
 
 #include <QCoreApplication>
@@ -25,6 +27,8 @@ constexpr const char *usage =
     "  analyse CLIP -o P.ductus                   finds how the scene moves\n"
     "  track P.ductus --queries Q.json -o T.json  follows points from their keyframes\n"
     "  export P.ductus -o OUT.mp4                 writes the clip with its doodles as a film\n"
+    "  place P.ductus PAINTING.ductus --box ...   stands a painting in the scene\n"
+    "  update P.ductus                            takes what changed in the paintings that stand in it\n"
     "  thumbnail P.ductus -o OUT.png              draws one frame with its doodles, small\n"
     "  info P.ductus                              says what a project holds\n"
     "  validate P.ductus                          checks a project\n"
@@ -41,6 +45,10 @@ Command commandOf(const QString &word)
         return ductus::runTrackCommand;
     if (word == QLatin1String("export"))
         return ductus::runExportCommand;
+    if (word == QLatin1String("place"))
+        return ductus::runPlaceCommand;
+    if (word == QLatin1String("update"))
+        return ductus::runUpdatePropsCommand;
     if (word == QLatin1String("thumbnail"))
         return ductus::runThumbnailCommand;
     if (word == QLatin1String("info"))

@@ -50,6 +50,10 @@ nlohmann::ordered_json doodleSummary(const DoodleContent &content)
                                     {"keyframes", counts.keyframes},
                                     {"frames", counts.frames},
                                     {"marks", counts.marks}});
+        if (canvas.prop)
+            json["canvases"].back()["painting"] = {{"name", canvas.prop->link.name},
+                                                   {"file", canvas.prop->link.file},
+                                                   {"look", canvas.prop->look}};
     }
     return json;
 }
@@ -66,7 +70,8 @@ std::string doodleLines(const DoodleContent &content)
         const Counts counts = countsOf(canvas);
         text += "  canvas \"" + canvas.name + "\", " + motionName(canvas) +
                 (canvas.isVisible ? "" : ", hidden") + ": " + many(counts.keyframes, "keyframe") + ", " +
-                many(counts.frames, "drawn frame") + ", " + many(counts.marks, "mark") + "\n";
+                many(counts.frames, "drawn frame") + ", " + many(counts.marks, "mark") +
+                (canvas.prop ? ", the painting \"" + canvas.prop->link.name + "\"" : "") + "\n";
     }
     return text;
 }

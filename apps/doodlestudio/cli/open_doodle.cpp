@@ -1,6 +1,7 @@
 #include "doodlestudio/cli/open_doodle.h"
 
 #include "base/error_place.h"
+#include "painting/storage/painting_content.h"
 #include "project/project_reader.h"
 
 namespace ductus {
@@ -8,7 +9,7 @@ namespace ductus {
 Result<OpenedDoodle> openDoodle(const std::filesystem::path &path)
 {
     ProjectReadOptions options;
-    options.kinds = {doodleKind()};
+    options.kinds = {doodleKind(), paintingKind()};
     Result<Project> project = openProject(path, options);
     if (!project)
         return placedIn(project.error(), path);

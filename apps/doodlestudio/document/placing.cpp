@@ -34,6 +34,24 @@ Canvas canvasInBox(const Shot &shot, int frame, const Vec2 &corner, const Vec2 &
     return canvas;
 }
 
+Canvas propInBox(const Shot &shot, int frame, const Vec2 &corner, const Vec2 &opposite, Prop prop,
+                 std::optional<double> distance)
+{
+    Canvas canvas = canvasInBox(shot, frame, corner, opposite, prop.link.name);
+    const double focal = shot.cameras[std::size_t(frame)].focal;
+    const Vec2 middle = canvas.keyframes.positions.front().pixel;
+    const Vec2 pixels = canvas.size * (focal / shot.depthAt(frame, middle));
+    const Vec2 foot = middle + Vec2(0.0, 0.5 * pixels.y());
+    const Vec2 seenFoot(std::clamp(foot.x(), 0.5, shot.width - 0.5),
+                        std::clamp(foot.y(), 0.5, shot.height - 0.5));
+    const double depth = distance.value_or(shot.depthAt(frame, seenFoot));
+    canvas.size = pixels * (depth / focal);
+    canvas.keyframes.depths = {{frame, depth}};
+    prop.placement = standingOnSheet(prop.painting->painting(), canvas.size);
+    canvas.prop = std::make_shared<const Prop>(std::move(prop));
+    return canvas;
+}
+
 Result<Canvas> withMiddleAt(const Canvas &canvas, int frame, const Vec2 &pixel)
 {
     CanvasKeyframe place;

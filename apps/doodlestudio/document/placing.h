@@ -13,6 +13,11 @@ namespace ductus {
 Canvas canvasInBox(const Shot &shot, int frame, const Vec2 &corner, const Vec2 &opposite,
                    const std::string &name);
 
+/// \a prop on a standing canvas that fills such a box, upright on the box' lower edge, facing the camera. \a
+/// distance along the camera's axis, scene units; none: that of what is seen where it stands.
+Canvas propInBox(const Shot &shot, int frame, const Vec2 &corner, const Vec2 &opposite, Prop prop,
+                 std::optional<double> distance);
+
 /// The canvas with its middle at \a pixel in \a frame. Moving ones get a keyframe there; standing ones are
 /// put there.
 Result<Canvas> withMiddleAt(const Canvas &canvas, int frame, const Vec2 &pixel);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "doodling/canvas/doodle.h"
+#include "doodling/prop/prop.h"
 #include "doodling/tracking/track_canvas.h"
 
 namespace ductus {
@@ -43,6 +44,7 @@ struct Canvas
     Vec2 size = Vec2(1.0, 1.0); // scene units at scale 1; the sheet's edge, drawing may go beyond
     CanvasKeyframes keyframes;  // positions: at least one; see tracking/track_canvas.h
     Doodle doodle;
+    std::shared_ptr<const Prop> prop; // stands on it, below what is drawn; may be null
     bool isVisible = true;
     double opacity = 1.0; // 0..1
     int shownFrom = 0;    // first video frame

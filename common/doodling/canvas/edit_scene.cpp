@@ -21,6 +21,8 @@ Result<void> check(const Canvas &canvas)
         return refused(attempted, "its size is not positive");
     if (!(canvas.opacity >= 0.0 && canvas.opacity <= 1.0))
         return refused(attempted, "its opacity is not between 0 and 1");
+    if (canvas.prop && !propProblem(*canvas.prop).empty())
+        return refused(attempted, propProblem(*canvas.prop));
     if (canvas.doodle.frames.empty())
         return refused(attempted, "its doodle has no frame");
     for (const DoodleFrame &frame : canvas.doodle.frames)

@@ -3,6 +3,8 @@
 #include "doodling/canvas/doodle_time.h"
 #include "doodling/compositing/occlusion.h"
 #include "doodling/compositing/text_outlines.h"
+#include "doodling/prop/prop_solids.h"
+#include "doodling/prop/prop_view.h"
 
 #include <algorithm>
 #include <mutex>
@@ -10,6 +12,12 @@
 #include <unordered_map>
 
 namespace ductus {
+
+namespace {
+
+constexpr int propSamplesPerAxis = 2; // smooth edges; more costs as many rays more
+
+} // namespace
 
 struct DoodlePainter::Cache
 {
@@ -19,6 +27,7 @@ struct DoodlePainter::Cache
     std::mutex mutex;
     // The mark is kept, too: an address is not used again while it is.
     std::unordered_map<const DoodleMark *, std::pair<MarkPointer, std::vector<MarkPiece>>> words;
+    PropSolids props;
 };
 
 DoodlePainter::DoodlePainter() : mCache(std::make_unique<Cache>()) {}
@@ -44,7 +53,26 @@ std::vector<MarkPiece> DoodlePainter::pieces(const DoodleFrame &frame) const
     return all;
 }
 
-std::vector<Layer> DoodlePainter::layers(const DoodleMoment &moment, const Image &picture) const
+PaintedLayer DoodlePainter::propLayer(const Canvas &canvas, const CanvasFrame &place,
+                                      const ShotCamera &camera, const DoodleMoment &moment,
+                                      const Image &picture) const
+{
+    const std::shared_ptr<const PaintingSolid> solid = mCache->props.of(*canvas.prop, moment.frame);
+    if (!solid)
+        return {};
+    PropPicture seen = propPicture(*solid, *canvas.prop, place, camera, {0, 0, picture.width, picture.height},
+                                   propSamplesPerAxis);
+    if (seen.layer.box.isEmpty())
+        return {};
+    const auto depthOf = [&](const Vec2 &pixel) { return seen.depthAt(pixel, place.depth); };
+    const std::vector<float> visibility =
+        visibilityOf(canvas.occlusion, moment.shot, moment.frame, depthOf, picture, seen.layer.box);
+    for (std::size_t p = 0; p < seen.layer.pixels.size(); ++p)
+        seen.layer.pixels[p] *= float(canvas.opacity) * (visibility.empty() ? 1.0f : visibility[p / 4]);
+    return std::move(seen.layer);
+}
+
+std::vector<PaintedLayer> DoodlePainter::layers(const DoodleMoment &moment, const Image &picture) const
 {
     const DoodleScene &scene = moment.scene;
     const std::size_t t = std::size_t(moment.frame);
@@ -59,15 +87,19 @@ std::vector<Layer> DoodlePainter::layers(const DoodleMoment &moment, const Image
     const ShotCamera camera =
         order.empty() ? ShotCamera()
                       : scaledCamera(moment.shot.cameras[t], double(picture.width) / moment.shot.width);
-    std::vector<Layer> layers;
+    std::vector<PaintedLayer> layers;
     for (const std::size_t i : order) {
         const Canvas &canvas = scene.canvases[i];
+        if (canvas.prop)
+            if (PaintedLayer prop = propLayer(canvas, moment.tracks[i].frames[t], camera, moment, picture);
+                !prop.box.isEmpty())
+                layers.push_back(std::move(prop));
         const std::optional<int> index = doodleFrameAt(canvas.doodle, moment.frame);
         if (!index)
             continue;
         const CanvasView view(camera, moment.tracks[i].frames[t]);
-        Layer layer = paintedPieces(pieces(canvas.doodle.frames[std::size_t(*index)]), view,
-                                    {0, 0, picture.width, picture.height});
+        PaintedLayer layer = paintedPieces(pieces(canvas.doodle.frames[std::size_t(*index)]), view,
+                                           {0, 0, picture.width, picture.height});
         if (layer.box.isEmpty())
             continue;
         const std::vector<float> visibility =
@@ -82,7 +114,7 @@ std::vector<Layer> DoodlePainter::layers(const DoodleMoment &moment, const Image
 Image DoodlePainter::composited(const DoodleMoment &moment, const Image &picture) const
 {
     Image result = picture;
-    for (const Layer &layer : layers(moment, picture))
+    for (const PaintedLayer &layer : layers(moment, picture))
         layOver(layer, result);
     return result;
 }
@@ -90,7 +122,7 @@ Image DoodlePainter::composited(const DoodleMoment &moment, const Image &picture
 Image DoodlePainter::alone(const DoodleMoment &moment, const Image &picture) const
 {
     Image result(picture.width, picture.height);
-    for (const Layer &layer : layers(moment, picture))
+    for (const PaintedLayer &layer : layers(moment, picture))
         layOver(layer, result);
     return result;
 }

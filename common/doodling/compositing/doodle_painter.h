@@ -40,7 +40,10 @@ private:
     struct Cache;
     /// The marks' pieces; words are kept from frame to frame.
     std::vector<MarkPiece> pieces(const DoodleFrame &frame) const;
-    std::vector<Layer> layers(const DoodleMoment &moment, const Image &picture) const;
+    /// The prop of \a canvas where nothing filmed hides it; no pixels if it is not seen.
+    PaintedLayer propLayer(const Canvas &canvas, const CanvasFrame &place, const ShotCamera &camera,
+                           const DoodleMoment &moment, const Image &picture) const;
+    std::vector<PaintedLayer> layers(const DoodleMoment &moment, const Image &picture) const;
 
     std::unique_ptr<Cache> mCache;
 };

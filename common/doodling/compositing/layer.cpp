@@ -17,7 +17,7 @@ void over(float *below, float share, const std::array<float, 3> &colour)
     below[3] = share + (1.0f - share) * below[3];
 }
 
-void paint(Layer &layer, const Coverage &coverage, const Rgba &colour)
+void paint(PaintedLayer &layer, const Coverage &coverage, const Rgba &colour)
 {
     const std::array<float, 3> unit = {colour[0] / 255.0f, colour[1] / 255.0f, colour[2] / 255.0f};
     const float opacity = colour[3] / 255.0f;
@@ -51,7 +51,7 @@ std::array<float, 4> sampled(const Image &image, double u, double v)
     return sum;
 }
 
-void paintPicture(Layer &layer, const PicturePiece &picture, const CanvasView &view)
+void paintPicture(PaintedLayer &layer, const PicturePiece &picture, const CanvasView &view)
 {
     const Image &image = *picture.image;
     Eigen::Matrix2d sides;
@@ -88,9 +88,10 @@ void paintPicture(Layer &layer, const PicturePiece &picture, const CanvasView &v
 
 } // namespace
 
-Layer paintedPieces(const std::vector<MarkPiece> &pieces, const CanvasView &view, const PixelBox &limits)
+PaintedLayer paintedPieces(const std::vector<MarkPiece> &pieces, const CanvasView &view,
+                           const PixelBox &limits)
 {
-    Layer layer;
+    PaintedLayer layer;
     std::vector<PixelBox> boxes;
     for (const MarkPiece &piece : pieces) {
         boxes.push_back(boxOf(piece, view, limits));
@@ -123,7 +124,7 @@ Layer paintedPieces(const std::vector<MarkPiece> &pieces, const CanvasView &view
     return layer;
 }
 
-void layOver(const Layer &layer, Image &picture)
+void layOver(const PaintedLayer &layer, Image &picture)
 {
     for (int y = layer.box.top; y < layer.box.bottom; ++y) {
         const float *from = layer.at(layer.box.left, y);

@@ -6,7 +6,7 @@
 namespace ductus {
 
 /// A part of a picture, colours multiplied by alpha, 0..1; four floats a pixel, row by row.
-struct Layer
+struct PaintedLayer
 {
     PixelBox box;
     std::vector<float> pixels;
@@ -16,13 +16,14 @@ struct Layer
         return pixels.data() +
                4 * (std::size_t(y - box.top) * std::size_t(box.width()) + std::size_t(x - box.left));
     }
-    const float *at(int x, int y) const { return const_cast<Layer *>(this)->at(x, y); }
+    const float *at(int x, int y) const { return const_cast<PaintedLayer *>(this)->at(x, y); }
 };
 
 /// \a pieces in their order, lowest first, as seen by \a view, as far as they are within \a limits.
-Layer paintedPieces(const std::vector<MarkPiece> &pieces, const CanvasView &view, const PixelBox &limits);
+PaintedLayer paintedPieces(const std::vector<MarkPiece> &pieces, const CanvasView &view,
+                           const PixelBox &limits);
 
 /// Lays \a layer over \a picture. A picture that is not opaque keeps straight alpha.
-void layOver(const Layer &layer, Image &picture);
+void layOver(const PaintedLayer &layer, Image &picture);
 
 } // namespace ductus

@@ -22,7 +22,7 @@ double seen(double canvasDepth, double sceneDepth, const CanvasOcclusion &occlus
     return share * share * (3.0 - 2.0 * share);
 }
 
-CoarseMask coarse(const CanvasOcclusion &occlusion, const Shot &shot, int frame, const CanvasView &view,
+CoarseMask coarse(const CanvasOcclusion &occlusion, const Shot &shot, int frame, const DepthOfShown &depthOf,
                   double working, const PixelBox &box, const PixelBox &limits)
 {
     CoarseMask mask;
@@ -40,9 +40,7 @@ CoarseMask coarse(const CanvasOcclusion &occlusion, const Shot &shot, int frame,
     for (int y = 0; y < mask.height; ++y)
         for (int x = 0; x < mask.width; ++x) {
             const Vec2 pixel(mask.left + (x + 0.5) * mask.cellSize, mask.top + (y + 0.5) * mask.cellSize);
-            const std::optional<Vec2> onCanvas = view.canvasPointOf(pixel);
-            const double depth = onCanvas ? view.depthOf(*onCanvas) : 0.0;
-            // Beyond the canvas' horizon nothing of it is painted.
+            const double depth = depthOf(pixel);
             mask.values.push_back(
                 depth > 0.0 ? float(seen(depth, shot.depthAt(frame, working * pixel), occlusion)) : 1.0f);
         }
@@ -103,12 +101,23 @@ std::vector<Vec2> carriedLine(const OcclusionTouch &touch, const Shot &shot, int
 std::vector<float> visibilityOf(const CanvasOcclusion &occlusion, const Shot &shot, int frame,
                                 const CanvasView &view, const Image &picture, const PixelBox &box)
 {
+    // Beyond the canvas' horizon nothing of it is painted.
+    const auto depthOf = [&](const Vec2 &pixel) {
+        const std::optional<Vec2> onCanvas = view.canvasPointOf(pixel);
+        return onCanvas ? view.depthOf(*onCanvas) : 0.0;
+    };
+    return visibilityOf(occlusion, shot, frame, depthOf, picture, box);
+}
+
+std::vector<float> visibilityOf(const CanvasOcclusion &occlusion, const Shot &shot, int frame,
+                                const DepthOfShown &depthOf, const Image &picture, const PixelBox &box)
+{
     const double working =
         double(shot.width) / picture.width; // working pixels a pixel of the picture is wide
     const PixelBox limits{0, 0, picture.width, picture.height};
     std::vector<float> visibility;
     if (occlusion.isOn) {
-        const CoarseMask mask = coarse(occlusion, shot, frame, view, working, box, limits);
+        const CoarseMask mask = coarse(occlusion, shot, frame, depthOf, working, box, limits);
         const auto [least, most] = std::minmax_element(mask.values.begin(), mask.values.end());
         if (*most - *least > 1e-3f)
             visibility = withFirmEnds(guidedMask(mask, picture, box));

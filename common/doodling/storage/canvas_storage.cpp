@@ -1,6 +1,8 @@
 #include "doodling/storage/canvas_storage.h"
 
 #include "doodling/storage/mark_storage.h"
+#include "doodling/storage/prop_storage.h"
+#include "painting/storage/array_slots.h"
 #include "project/container/entry_name.h"
 
 #include <cmath>
@@ -230,6 +232,8 @@ Canvas canvasFrom(const JsonReader &reader, ArrayLoader &arrays, int frameCount)
     canvas.occlusion = occlusionFrom(reader.member("occlusion"), arrays, frameCount);
     if (!reader.failed())
         canvas.doodle = doodleFrom(reader.member("doodle"), arrays);
+    if (!reader.failed() && reader.has("prop"))
+        canvas.prop = propFromJson(reader.member("prop"), arrays);
     return canvas;
 }
 
@@ -239,12 +243,21 @@ StoredScene addScene(const DoodleScene &scene, BufferPacker &packer)
 {
     StoredScene stored;
     written(scene, ArrayPass(packer, stored.arrays));
+    for (const Canvas &canvas : scene.canvases)
+        if (canvas.prop)
+            stored.paintings[canvas.id] = propJsonWithSlots(*canvas.prop, packer);
     return stored;
 }
 
 OrderedJson sceneJson(const DoodleScene &scene, const StoredScene &stored, const BufferPacker &packer)
 {
-    return written(scene, ArrayPass(packer, stored.arrays));
+    OrderedJson json = written(scene, ArrayPass(packer, stored.arrays));
+    for (std::size_t i = 0; i < scene.canvases.size(); ++i)
+        if (scene.canvases[i].prop) {
+            OrderedJson &prop = json["canvases"][i]["prop"] = stored.paintings.at(scene.canvases[i].id);
+            resolveArrays(prop, packer);
+        }
+    return json;
 }
 
 DoodleScene sceneFromJson(const JsonReader &reader, ArrayLoader &arrays, int frameCount)
@@ -283,6 +296,9 @@ std::string sceneProblem(const DoodleScene &scene, int frameCount)
         for (const OcclusionTouch &touch : canvas.occlusion.touches)
             if (touch.frame < 0 || touch.frame >= frameCount)
                 return "the occlusion brush of the canvas \"" + canvas.name + "\" is beyond the clip";
+        if (canvas.prop)
+            if (const std::string problem = storedPropProblem(*canvas.prop); !problem.empty())
+                return problem + " (canvas \"" + canvas.name + "\")";
         for (const DoodleFrame &frame : canvas.doodle.frames)
             for (const MarkPointer &mark : frame.marks)
                 if (const TextMark *text = std::get_if<TextMark>(mark.get());

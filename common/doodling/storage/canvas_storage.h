@@ -6,12 +6,15 @@
 #include "project/arrays/array_loader.h"
 #include "project/arrays/buffer_packer.h"
 
+#include <map>
+
 namespace ductus {
 
 /// The arrays of a scene in a packer, in the order sceneJson() asks for them.
 struct StoredScene
 {
     std::vector<BufferPacker::Handle> arrays;
+    std::map<CanvasId, OrderedJson> paintings; // of props, with slots for their arrays
 };
 
 StoredScene addScene(const DoodleScene &scene, BufferPacker &packer);

@@ -210,6 +210,16 @@ Result<void> DoodleContent::check(const std::string &place) const
     return {};
 }
 
+std::vector<const UnknownMembers *> DoodleContent::unknownMembers() const
+{
+    std::vector<const UnknownMembers *> all = {&mUnknown};
+    for (const Canvas &canvas : mScene->canvases)
+        if (canvas.prop)
+            for (const UnknownMembers *members : canvas.prop->painting->unknownMembers())
+                all.push_back(members);
+    return all;
+}
+
 OrderedJson DoodleContent::toJson(const Uuid &id, BufferPacker &packer) const
 {
     const StoredShot stored = addShot(*mShot, mPacksAnalysis, packer);

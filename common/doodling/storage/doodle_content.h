@@ -48,7 +48,7 @@ public:
     std::string_view kind() const override { return doodleKindName; }
     Result<void> check(const std::string &place) const override;
     OrderedJson toJson(const Uuid &id, BufferPacker &packer) const override;
-    std::vector<const UnknownMembers *> unknownMembers() const override { return {&mUnknown}; }
+    std::vector<const UnknownMembers *> unknownMembers() const override;
 
 private:
     ClipReference mClip;
