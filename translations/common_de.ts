@@ -192,7 +192,7 @@
     </message>
     <message>
         <source>Checking the painting</source>
-        <translation>Prüfen des Bildes</translation>
+        <translation>Prüfen des Gemäldes</translation>
     </message>
     <message>
         <source>Checking the print</source>
@@ -228,7 +228,7 @@
     </message>
     <message>
         <source>Drawing the painting</source>
-        <translation>Zeichnen des Bildes</translation>
+        <translation>Zeichnen des Gemäldes</translation>
     </message>
     <message>
         <source>Drawing the samples</source>
@@ -260,7 +260,7 @@
     </message>
     <message>
         <source>Exporting the painting</source>
-        <translation>Exportieren des Bildes</translation>
+        <translation>Exportieren des Gemäldes</translation>
     </message>
     <message>
         <source>Exporting the surface</source>
@@ -324,7 +324,7 @@
     </message>
     <message>
         <source>Importing the painting</source>
-        <translation>Importieren des Bildes</translation>
+        <translation>Importieren des Gemäldes</translation>
     </message>
     <message>
         <source>Importing the surface</source>
@@ -408,7 +408,7 @@
     </message>
     <message>
         <source>Opening the painting</source>
-        <translation>Öffnen des Bildes</translation>
+        <translation>Öffnen des Gemäldes</translation>
     </message>
     <message>
         <source>Opening the project</source>
@@ -436,7 +436,7 @@
     </message>
     <message>
         <source>Placing a painting</source>
-        <translation>Platzieren eines Bildes</translation>
+        <translation>Platzieren eines Gemäldes</translation>
     </message>
     <message>
         <source>Preparing the frame</source>
@@ -468,7 +468,7 @@
     </message>
     <message>
         <source>Reading the painting</source>
-        <translation>Lesen des Bildes</translation>
+        <translation>Lesen des Gemäldes</translation>
     </message>
     <message>
         <source>Reading the picture</source>
@@ -596,7 +596,7 @@
     </message>
     <message>
         <source>Uploading the painting</source>
-        <translation>Laden des Bildes in die Grafikkarte</translation>
+        <translation>Laden des Gemäldes in die Grafikkarte</translation>
     </message>
     <message>
         <source>Wrapping the strokes</source>
@@ -684,7 +684,7 @@
     </message>
     <message>
         <source>the project holds no painting</source>
-        <translation>das Projekt enthält kein Bild</translation>
+        <translation>das Projekt enthält kein Gemälde</translation>
     </message>
     <message>
         <source>no stroke lies near the proxy mesh</source>
@@ -856,15 +856,15 @@
     </message>
     <message>
         <source>The painting is still here; connect the headset and enter VR again</source>
-        <translation>Das Bild ist noch da; schließen Sie das Headset an und wechseln Sie erneut in VR</translation>
+        <translation>Das Gemälde ist noch da; schließen Sie das Headset an und wechseln Sie erneut in VR</translation>
     </message>
     <message>
         <source>Choose a stack of this painting</source>
-        <translation>Wählen Sie einen Stapel dieses Bildes</translation>
+        <translation>Wählen Sie einen Stapel dieses Gemäldes</translation>
     </message>
     <message>
         <source>Choose a look of this painting</source>
-        <translation>Wählen Sie einen Look dieses Bildes</translation>
+        <translation>Wählen Sie einen Look dieses Gemäldes</translation>
     </message>
     <message>
         <source>Close other programs or work on a smaller part</source>
@@ -884,7 +884,7 @@
     </message>
     <message>
         <source>Choose a layer of this painting</source>
-        <translation>Wählen Sie eine Ebene dieses Bildes</translation>
+        <translation>Wählen Sie eine Ebene dieses Gemäldes</translation>
     </message>
     <message>
         <source>Choose a project that was saved in LayerPainter</source>
@@ -1028,7 +1028,7 @@
     </message>
     <message>
         <source>a chosen stroke is not in the painting</source>
-        <translation>ein gewählter Strich ist nicht im Bild</translation>
+        <translation>ein gewählter Strich ist nicht im Gemälde</translation>
     </message>
     <message>
         <source>a stack has one substrate</source>
@@ -1052,7 +1052,7 @@
     </message>
     <message>
         <source>every painting has a scene stack</source>
-        <translation>jedes Bild hat einen Szenenstapel</translation>
+        <translation>jedes Gemälde hat einen Szenenstapel</translation>
     </message>
     <message>
         <source>it does not part a region</source>
@@ -1164,11 +1164,11 @@
     </message>
     <message>
         <source>the painting has no strokes</source>
-        <translation>das Bild hat keine Striche</translation>
+        <translation>das Gemälde hat keine Striche</translation>
     </message>
     <message>
         <source>the painting would have too many vertices</source>
-        <translation>das Bild hätte zu viele Punkte</translation>
+        <translation>das Gemälde hätte zu viele Punkte</translation>
     </message>
     <message>
         <source>the pictures differ in size</source>
@@ -1208,7 +1208,7 @@
     </message>
     <message>
         <source>the stroke is not in the painting</source>
-        <translation>der Strich ist nicht im Bild</translation>
+        <translation>der Strich ist nicht im Gemälde</translation>
     </message>
     <message>
         <source>there are no pictures in this folder</source>

@@ -248,7 +248,7 @@
     </message>
     <message>
         <source>Entering VR</source>
-        <translation>Passage en VR</translation>
+        <translation>Passage en RV</translation>
     </message>
     <message>
         <source>Evening out the triangles</source>
@@ -420,7 +420,7 @@
     </message>
     <message>
         <source>Painting in VR</source>
-        <translation>Peinture en VR</translation>
+        <translation>Peinture en RV</translation>
     </message>
     <message>
         <source>Pasting strokes</source>
@@ -856,7 +856,7 @@
     </message>
     <message>
         <source>The painting is still here; connect the headset and enter VR again</source>
-        <translation>La peinture est toujours là ; rebranchez le casque et revenez en VR</translation>
+        <translation>La peinture est toujours là ; rebranchez le casque et revenez en RV</translation>
     </message>
     <message>
         <source>Choose a stack of this painting</source>

@@ -1410,15 +1410,15 @@ Oder wählen Sie eine Leinwand, um sie von vorn zu sehen.</translation>
     </message>
     <message>
         <source>Stands a painting of LayerPainter in the scene: seen by the shot&apos;s camera, hidden by what is before it.</source>
-        <translation>Stellt ein Bild aus LayerPainter in die Szene: von der Kamera der Aufnahme gesehen, verdeckt von dem, was davor ist.</translation>
+        <translation>Stellt ein Gemälde aus LayerPainter in die Szene: von der Kamera der Aufnahme gesehen, verdeckt von dem, was davor ist.</translation>
     </message>
     <message>
         <source>&amp;Update paintings</source>
-        <translation>Bi&amp;lder aktualisieren</translation>
+        <translation>&amp;Gemälde aktualisieren</translation>
     </message>
     <message>
         <source>Takes what has changed in the paintings that stand in the scene; they stay where they are.</source>
-        <translation>Übernimmt, was sich in den Bildern der Szene geändert hat; sie bleiben, wo sie sind.</translation>
+        <translation>Übernimmt, was sich in den Gemälden der Szene geändert hat; sie bleiben, wo sie sind.</translation>
     </message>
     <message>
         <source>&amp;Copy lines</source>
@@ -1460,19 +1460,19 @@ Oder wählen Sie eine Leinwand, um sie von vorn zu sehen.</translation>
     </message>
     <message>
         <source>The painting</source>
-        <translation>Das Bild</translation>
+        <translation>Das Gemälde</translation>
     </message>
     <message>
         <source>Open a clip first; a painting can stand in it then.</source>
-        <translation>Öffnen Sie zuerst einen Clip; dann kann ein Bild darin stehen.</translation>
+        <translation>Öffnen Sie zuerst einen Clip; dann kann ein Gemälde darin stehen.</translation>
     </message>
     <message>
         <source>Place a painting</source>
-        <translation>Bild platzieren</translation>
+        <translation>Gemälde platzieren</translation>
     </message>
     <message>
         <source>Paintings of LayerPainter (*.ductus)</source>
-        <translation>Bilder aus LayerPainter (*.ductus)</translation>
+        <translation>Gemälde aus LayerPainter (*.ductus)</translation>
     </message>
     <message>
         <source>Open a clip: %1 will stand in it.</source>
@@ -1484,7 +1484,7 @@ Oder wählen Sie eine Leinwand, um sie von vorn zu sehen.</translation>
     </message>
     <message>
         <source>Place painting</source>
-        <translation>Bild platzieren</translation>
+        <translation>Gemälde platzieren</translation>
     </message>
     <message>
         <source>%1 stands in the scene. Move it by its handles.</source>
@@ -1492,25 +1492,25 @@ Oder wählen Sie eine Leinwand, um sie von vorn zu sehen.</translation>
     </message>
     <message>
         <source>Looking for changes of the paintings</source>
-        <translation>Suche nach Änderungen der Bilder</translation>
+        <translation>Suche nach Änderungen der Gemälde</translation>
     </message>
     <message>
         <source>No painting stands in this scene.</source>
-        <translation>In dieser Szene steht kein Bild.</translation>
+        <translation>In dieser Szene steht kein Gemälde.</translation>
     </message>
     <message>
         <source>All paintings are as they are in LayerPainter.</source>
-        <translation>Alle Bilder sind wie in LayerPainter.</translation>
+        <translation>Alle Gemälde sind wie in LayerPainter.</translation>
     </message>
     <message>
         <source>The painting &quot;%1&quot; changed in LayerPainter.</source>
-        <translation>Das Bild „%1“ hat sich in LayerPainter geändert.</translation>
+        <translation>Das Gemälde „%1“ hat sich in LayerPainter geändert.</translation>
     </message>
     <message numerus="yes">
         <source>%n paintings changed in LayerPainter.</source>
         <translation>
-            <numerusform>%n Bild hat sich in LayerPainter geändert.</numerusform>
-            <numerusform>%n Bilder haben sich in LayerPainter geändert.</numerusform>
+            <numerusform>%n Gemälde hat sich in LayerPainter geändert.</numerusform>
+            <numerusform>%n Gemälde haben sich in LayerPainter geändert.</numerusform>
         </translation>
     </message>
     <message>
@@ -1527,7 +1527,7 @@ Oder wählen Sie eine Leinwand, um sie von vorn zu sehen.</translation>
     </message>
     <message>
         <source>Update painting</source>
-        <translation>Bild aktualisieren</translation>
+        <translation>Gemälde aktualisieren</translation>
     </message>
     <message>
         <source>To the be&amp;ginning</source>

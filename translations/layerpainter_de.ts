@@ -16,7 +16,7 @@
     </message>
     <message>
         <source>Half the width of a stroke in the painting&apos;s unit. Keys [ and ].</source>
-        <translation>Die halbe Breite eines Strichs in der Einheit des Bildes. Tasten [ und ].</translation>
+        <translation>Die halbe Breite eines Strichs in der Einheit des Gemäldes. Tasten [ und ].</translation>
     </message>
     <message>
         <source>Section</source>
@@ -148,7 +148,7 @@
     </message>
     <message>
         <source>From where the film looks at the painting.</source>
-        <translation>Von wo der Film auf das Bild blickt.</translation>
+        <translation>Von wo der Film auf das Gemälde blickt.</translation>
     </message>
     <message>
         <source>Once around, from the present view</source>
@@ -228,7 +228,7 @@
     </message>
     <message>
         <source>How long the film is; double click: as long as the painting moves.</source>
-        <translation>Wie lang der Film ist; Doppelklick: solange sich das Bild bewegt.</translation>
+        <translation>Wie lang der Film ist; Doppelklick: solange sich das Gemälde bewegt.</translation>
     </message>
     <message>
         <source>&amp;Without background</source>
@@ -269,7 +269,7 @@
     </message>
     <message>
         <source>The painting in a headset, with the same layers and tools; again leaves it.</source>
-        <translation>Das Bild im Headset, mit denselben Ebenen und Werkzeugen; nochmals beendet es.</translation>
+        <translation>Das Gemälde im Headset, mit denselben Ebenen und Werkzeugen; nochmals beendet es.</translation>
     </message>
     <message>
         <source>View</source>
@@ -285,7 +285,7 @@
     </message>
     <message>
         <source>The painting is in the headset. This window shows what the left eye sees.</source>
-        <translation>Das Bild ist im Headset. Dieses Fenster zeigt, was das linke Auge sieht.</translation>
+        <translation>Das Gemälde ist im Headset. Dieses Fenster zeigt, was das linke Auge sieht.</translation>
     </message>
 </context>
 <context>
@@ -296,7 +296,7 @@
     </message>
     <message>
         <source>&lt;b&gt;Time&lt;/b&gt;&lt;br&gt;Drag to see the painting at another moment; diamonds are keys of the camera (above) and of layers (below).</source>
-        <translation>&lt;b&gt;Zeit&lt;/b&gt;&lt;br&gt;Ziehen zeigt das Bild zu einem anderen Zeitpunkt; Rauten sind Keyframes der Kamera (oben) und der Ebenen (unten).</translation>
+        <translation>&lt;b&gt;Zeit&lt;/b&gt;&lt;br&gt;Ziehen zeigt das Gemälde zu einem anderen Zeitpunkt; Rauten sind Keyframes der Kamera (oben) und der Ebenen (unten).</translation>
     </message>
 </context>
 <context>
@@ -571,7 +571,7 @@
     </message>
     <message>
         <source>How large the spots of the noise are, in the painting&apos;s unit.</source>
-        <translation>Wie groß die Flecken des Rauschens sind, in der Einheit des Bildes.</translation>
+        <translation>Wie groß die Flecken des Rauschens sind, in der Einheit des Gemäldes.</translation>
     </message>
     <message>
         <source>Amount</source>
@@ -720,7 +720,7 @@
     </message>
     <message>
         <source>&amp;New painting</source>
-        <translation>&amp;Neues Bild</translation>
+        <translation>&amp;Neues Gemälde</translation>
     </message>
     <message>
         <source>Begins with an empty canvas and one stack.</source>
@@ -732,15 +732,15 @@
     </message>
     <message>
         <source>Opens a project, a Quill or .tilt painting, or a mesh.</source>
-        <translation>Öffnet ein Projekt, ein Quill- oder .tilt-Bild oder ein Netz.</translation>
+        <translation>Öffnet ein Projekt, ein Quill- oder .tilt-Gemälde oder ein Netz.</translation>
     </message>
     <message>
         <source>&amp;Import into painting...</source>
-        <translation>In &amp;das Bild importieren...</translation>
+        <translation>In &amp;das Gemälde importieren...</translation>
     </message>
     <message>
         <source>The strokes of another painting or a mesh join this one; dropping a file does the same.</source>
-        <translation>Die Striche eines anderen Bildes oder ein Netz kommen zu diesem hinzu; ebenso, wenn man eine Datei hereinzieht.</translation>
+        <translation>Die Striche eines anderen Gemäldes oder ein Netz kommen zu diesem hinzu; ebenso, wenn man eine Datei hereinzieht.</translation>
     </message>
     <message>
         <source>S&amp;tart page</source>
@@ -748,7 +748,7 @@
     </message>
     <message>
         <source>Shows samples and recent files; the painting stays open.</source>
-        <translation>Zeigt Beispiele und zuletzt geöffnete Dateien; das Bild bleibt offen.</translation>
+        <translation>Zeigt Beispiele und zuletzt geöffnete Dateien; das Gemälde bleibt offen.</translation>
     </message>
     <message>
         <source>&amp;Save</source>
@@ -756,7 +756,7 @@
     </message>
     <message>
         <source>Saves the painting with layers and looks.</source>
-        <translation>Speichert das Bild mit Ebenen und Looks.</translation>
+        <translation>Speichert das Gemälde mit Ebenen und Looks.</translation>
     </message>
     <message>
         <source>Save &amp;as...</source>
@@ -876,7 +876,7 @@
     </message>
     <message>
         <source>Back to the painting&apos;s own view.</source>
-        <translation>Zurück zur eigenen Ansicht des Bildes.</translation>
+        <translation>Zurück zur eigenen Ansicht des Gemäldes.</translation>
     </message>
     <message>
         <source>&amp;Motion</source>
@@ -1004,7 +1004,7 @@
     </message>
     <message>
         <source>Click on the painting: the list shows which layers colour this point, the topmost first.</source>
-        <translation>Auf das Bild klicken: Die Liste zeigt, welche Ebenen diesen Punkt färben, die oberste zuerst.</translation>
+        <translation>Auf das Gemälde klicken: Die Liste zeigt, welche Ebenen diesen Punkt färben, die oberste zuerst.</translation>
     </message>
     <message>
         <source>Tools</source>
@@ -1083,11 +1083,11 @@
     </message>
     <message>
         <source>Light, shadow and mood for 3D paintings, layer by layer.</source>
-        <translation>Licht, Schatten und Stimmung für 3D-Bilder, Ebene für Ebene.</translation>
+        <translation>Licht, Schatten und Stimmung für 3D-Gemälde, Ebene für Ebene.</translation>
     </message>
     <message>
         <source>New painting</source>
-        <translation>Neues Bild</translation>
+        <translation>Neues Gemälde</translation>
     </message>
     <message>
         <source>Open...</source>
@@ -1095,7 +1095,7 @@
     </message>
     <message>
         <source>Drop a Quill or .tilt painting, a mesh or a project anywhere.</source>
-        <translation>Ziehen Sie ein Quill- oder .tilt-Bild, ein Netz oder ein Projekt irgendwohin.</translation>
+        <translation>Ziehen Sie ein Quill- oder .tilt-Gemälde, ein Netz oder ein Projekt irgendwohin.</translation>
     </message>
     <message>
         <source>Untitled</source>
@@ -1107,7 +1107,7 @@
     </message>
     <message>
         <source>Paintings and meshes (*.ductus *.quill Quill.json *.tilt *.obj *.ply *.stl *.off *.glb);;All files (*)</source>
-        <translation>Bilder und Netze (*.ductus *.quill Quill.json *.tilt *.obj *.ply *.stl *.off *.glb);;Alle Dateien (*)</translation>
+        <translation>Gemälde und Netze (*.ductus *.quill Quill.json *.tilt *.obj *.ply *.stl *.off *.glb);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Reading %1</source>
@@ -1119,13 +1119,13 @@
     </message>
     <message>
         <source>Paintings and meshes (*.quill Quill.json *.tilt *.obj *.ply *.stl *.off *.glb);;Surfaces of SketchSurfacer (*.ductus)</source>
-        <translation>Bilder und Netze (*.quill Quill.json *.tilt *.obj *.ply *.stl *.off *.glb);;Flächen von SketchSurfacer (*.ductus)</translation>
+        <translation>Gemälde und Netze (*.quill Quill.json *.tilt *.obj *.ply *.stl *.off *.glb);;Flächen von SketchSurfacer (*.ductus)</translation>
     </message>
     <message numerus="yes">
         <source>%n strokes joined the painting</source>
         <translation>
-            <numerusform>%n Strich kam zum Bild hinzu</numerusform>
-            <numerusform>%n Striche kamen zum Bild hinzu</numerusform>
+            <numerusform>%n Strich kam zum Gemälde hinzu</numerusform>
+            <numerusform>%n Striche kamen zum Gemälde hinzu</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -1227,7 +1227,7 @@
     </message>
     <message>
         <source>Opens DoodleStudio, where this painting can stand in a filmed scene.</source>
-        <translation>Öffnet DoodleStudio, wo dieses Bild in einer gefilmten Szene stehen kann.</translation>
+        <translation>Öffnet DoodleStudio, wo dieses Gemälde in einer gefilmten Szene stehen kann.</translation>
     </message>
     <message>
         <source>Choose strokes first: they are copied then.</source>
@@ -1273,7 +1273,7 @@
     </message>
     <message>
         <source>DoodleStudio reads the saved painting, and this one has changes.</source>
-        <translation>DoodleStudio liest das gespeicherte Bild, und dieses hat Änderungen.</translation>
+        <translation>DoodleStudio liest das gespeicherte Gemälde, und dieses hat Änderungen.</translation>
     </message>
     <message>
         <source>Save and send</source>
@@ -1305,7 +1305,7 @@
     </message>
     <message>
         <source>No surface of this painting comes from a sketch.</source>
-        <translation>Keine Fläche dieses Bildes stammt aus einer Skizze.</translation>
+        <translation>Keine Fläche dieses Gemäldes stammt aus einer Skizze.</translation>
     </message>
     <message>
         <source>All surfaces are as their sketches are.</source>
@@ -1343,7 +1343,7 @@
     </message>
     <message>
         <source>%1 is open in another program: this painting is saved in a file of its own and stays linked to the surface.</source>
-        <translation>%1 ist in einem anderen Programm geöffnet: Dieses Bild wird in einer eigenen Datei gespeichert und bleibt mit der Fläche verknüpft.</translation>
+        <translation>%1 ist in einem anderen Programm geöffnet: Dieses Gemälde wird in einer eigenen Datei gespeichert und bleibt mit der Fläche verknüpft.</translation>
     </message>
     <message>
         <source>Duplicate &amp;into layer</source>

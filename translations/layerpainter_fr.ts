@@ -265,7 +265,7 @@
     <name>ductus::HeadsetWindow</name>
     <message>
         <source>Paint in &amp;VR</source>
-        <translation>Peindre &amp;en VR</translation>
+        <translation>Peindre &amp;en RV</translation>
     </message>
     <message>
         <source>The painting in a headset, with the same layers and tools; again leaves it.</source>
@@ -277,11 +277,11 @@
     </message>
     <message>
         <source>VR</source>
-        <translation>VR</translation>
+        <translation>RV</translation>
     </message>
     <message>
         <source>Paint in VR</source>
-        <translation>Peindre en VR</translation>
+        <translation>Peindre en RV</translation>
     </message>
     <message>
         <source>The painting is in the headset. This window shows what the left eye sees.</source>
@@ -1614,7 +1614,7 @@
     </message>
     <message>
         <source>Leave VR</source>
-        <translation>Quitter la VR</translation>
+        <translation>Quitter la RV</translation>
     </message>
 </context>
 </TS>
