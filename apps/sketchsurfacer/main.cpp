@@ -2,6 +2,7 @@
 // batch commands, which need no display.
 #include "sketchsurfacer/cli/info_command.h"
 #include "sketchsurfacer/cli/surface_command.h"
+#include "sketchsurfacer/cli/thumbnail_command.h"
 #include "sketchsurfacer/ui/run_window.h"
 
 #include <QCoreApplication>
@@ -21,6 +22,7 @@ constexpr const char *usage =
     "Commands:\n"
     "  surface IN -o OUT   surface a sketch (sketchsurfacer surface --help lists the options)\n"
     "  info FILE           what a project or mesh holds, and whether it can be printed\n"
+    "  thumbnail P.ductus -o OUT.png  a small picture of the sketch with its surface\n"
     "\n"
     "Exit codes: 0 done, 1 failed with the reason on stderr, 2 wrong usage, 3 cancelled.\n";
 
@@ -39,6 +41,8 @@ int runBatch(int &argc, char **argv, const QString &command)
         return int(ductus::runSurfaceCommand(QCoreApplication::arguments().mid(2)));
     if (command == QLatin1String("info"))
         return int(ductus::runInfoCommand(QCoreApplication::arguments().mid(2)));
+    if (command == QLatin1String("thumbnail"))
+        return int(ductus::runThumbnailCommand(QCoreApplication::arguments().mid(2)));
     if (command == QLatin1String("--version") || command == QLatin1String("-v"))
         QTextStream(stdout) << "SketchSurfacer " << DUCTUS_VERSION << "\n";
     else
@@ -48,10 +52,10 @@ int runBatch(int &argc, char **argv, const QString &command)
 
 bool isBatch(const QString &word)
 {
-    static const QStringList words{QStringLiteral("surface"), QStringLiteral("info"),
-                                   QStringLiteral("help"),    QStringLiteral("--help"),
-                                   QStringLiteral("-h"),      QStringLiteral("-v"),
-                                   QStringLiteral("--version")};
+    static const QStringList words{QStringLiteral("surface"),   QStringLiteral("info"),
+                                   QStringLiteral("thumbnail"), QStringLiteral("help"),
+                                   QStringLiteral("--help"),    QStringLiteral("-h"),
+                                   QStringLiteral("-v"),        QStringLiteral("--version")};
     return words.contains(word);
 }
 
