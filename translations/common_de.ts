@@ -1736,6 +1736,70 @@
         <source>Labels and stickers keep their place in the room while the camera walks in.</source>
         <translation>Beschriftungen und Sticker behalten ihren Platz, während die Kamera hineingeht.</translation>
     </message>
+    <message>
+        <source>One vase, three glazes</source>
+        <translation>Eine Vase, drei Glasuren</translation>
+    </message>
+    <message>
+        <source>Ornament is painted once; looks give every layer another colour.</source>
+        <translation>Das Ornament wird einmal gemalt; Looks geben jeder Ebene eine andere Farbe.</translation>
+    </message>
+    <message>
+        <source>Campfire</source>
+        <translation>Lagerfeuer</translation>
+    </message>
+    <message>
+        <source>Flames are five drawings shown in turn; night and firelight are gradients.</source>
+        <translation>Flammen sind fünf Zeichnungen im Wechsel; Nacht und Feuerschein sind Verläufe.</translation>
+    </message>
+    <message>
+        <source>Lighthouse</source>
+        <translation>Leuchtturm</translation>
+    </message>
+    <message>
+        <source>Noise makes foam and crests, the beam is clear paint that turns.</source>
+        <translation>Rauschen macht Gischt und Wellenkämme, der Lichtstrahl ist durchsichtige Farbe, die sich dreht.</translation>
+    </message>
+    <message>
+        <source>Koi pond</source>
+        <translation>Koi-Teich</translation>
+    </message>
+    <message>
+        <source>Spots reach no further than the fish they touch; shadows swim along.</source>
+        <translation>Flecken reichen nicht weiter als der Fisch, den sie berühren; Schatten schwimmen mit.</translation>
+    </message>
+    <message>
+        <source>Pendulum</source>
+        <translation>Pendel</translation>
+    </message>
+    <message>
+        <source>A still camera; the arrow rides on the bob and is drawn anew twelve times a swing.</source>
+        <translation>Eine stehende Kamera; der Pfeil reitet auf der Kugel und wird je Schwingung zwölfmal neu gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Chalk in the yard</source>
+        <translation>Kreide im Hof</translation>
+    </message>
+    <message>
+        <source>Canvases lie on the ground and on the wall and keep their perspective as the camera goes by.</source>
+        <translation>Leinwände liegen am Boden und an der Wand und behalten ihre Perspektive, während die Kamera vorbeizieht.</translation>
+    </message>
+    <message>
+        <source>A ghost in the store</source>
+        <translation>Ein Gespenst im Lager</translation>
+    </message>
+    <message>
+        <source>Six drawings in a loop; keyframes carry them around the post and behind the boxes.</source>
+        <translation>Sechs Zeichnungen in einer Schleife; Keyframes tragen sie um den Pfosten und hinter die Kisten.</translation>
+    </message>
+    <message>
+        <source>Over the hills</source>
+        <translation>Über den Hügeln</translation>
+    </message>
+    <message>
+        <source>The camera only turns: birds fly by keyframes, one of them behind the house.</source>
+        <translation>Die Kamera dreht sich nur: Vögel fliegen nach Keyframes, einer hinter das Haus.</translation>
+    </message>
 </context>
 <context>
     <name>ductus::SegmentedSwitch</name>

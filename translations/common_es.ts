@@ -1736,6 +1736,70 @@
         <source>Labels and stickers keep their place in the room while the camera walks in.</source>
         <translation>Rótulos y pegatinas mantienen su sitio mientras la cámara avanza.</translation>
     </message>
+    <message>
+        <source>One vase, three glazes</source>
+        <translation>Un jarrón, tres esmaltes</translation>
+    </message>
+    <message>
+        <source>Ornament is painted once; looks give every layer another colour.</source>
+        <translation>El adorno se pinta una vez; los ambientes dan otro color a cada capa.</translation>
+    </message>
+    <message>
+        <source>Campfire</source>
+        <translation>Hoguera</translation>
+    </message>
+    <message>
+        <source>Flames are five drawings shown in turn; night and firelight are gradients.</source>
+        <translation>Las llamas son cinco dibujos que se turnan; la noche y la luz del fuego son degradados.</translation>
+    </message>
+    <message>
+        <source>Lighthouse</source>
+        <translation>Faro</translation>
+    </message>
+    <message>
+        <source>Noise makes foam and crests, the beam is clear paint that turns.</source>
+        <translation>El ruido forma espuma y crestas; el haz es pintura transparente que gira.</translation>
+    </message>
+    <message>
+        <source>Koi pond</source>
+        <translation>Estanque de kois</translation>
+    </message>
+    <message>
+        <source>Spots reach no further than the fish they touch; shadows swim along.</source>
+        <translation>Las manchas no salen del pez que tocan; las sombras nadan con él.</translation>
+    </message>
+    <message>
+        <source>Pendulum</source>
+        <translation>Péndulo</translation>
+    </message>
+    <message>
+        <source>A still camera; the arrow rides on the bob and is drawn anew twelve times a swing.</source>
+        <translation>Una cámara fija; la flecha va con la bola y se dibuja de nuevo doce veces por oscilación.</translation>
+    </message>
+    <message>
+        <source>Chalk in the yard</source>
+        <translation>Tiza en el patio</translation>
+    </message>
+    <message>
+        <source>Canvases lie on the ground and on the wall and keep their perspective as the camera goes by.</source>
+        <translation>Los lienzos están en el suelo y en la pared y conservan su perspectiva al pasar la cámara.</translation>
+    </message>
+    <message>
+        <source>A ghost in the store</source>
+        <translation>Un fantasma en el almacén</translation>
+    </message>
+    <message>
+        <source>Six drawings in a loop; keyframes carry them around the post and behind the boxes.</source>
+        <translation>Seis dibujos en bucle; los fotogramas clave los llevan en torno al poste y tras las cajas.</translation>
+    </message>
+    <message>
+        <source>Over the hills</source>
+        <translation>Sobre las colinas</translation>
+    </message>
+    <message>
+        <source>The camera only turns: birds fly by keyframes, one of them behind the house.</source>
+        <translation>La cámara solo gira: los pájaros vuelan por fotogramas clave, uno tras la casa.</translation>
+    </message>
 </context>
 <context>
     <name>ductus::SegmentedSwitch</name>

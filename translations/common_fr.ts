@@ -1736,6 +1736,70 @@
         <source>Labels and stickers keep their place in the room while the camera walks in.</source>
         <translation>Étiquettes et autocollants gardent leur place pendant que la caméra avance.</translation>
     </message>
+    <message>
+        <source>One vase, three glazes</source>
+        <translation>Un vase, trois émaux</translation>
+    </message>
+    <message>
+        <source>Ornament is painted once; looks give every layer another colour.</source>
+        <translation>L&apos;ornement est peint une fois ; les ambiances donnent une autre couleur à chaque calque.</translation>
+    </message>
+    <message>
+        <source>Campfire</source>
+        <translation>Feu de camp</translation>
+    </message>
+    <message>
+        <source>Flames are five drawings shown in turn; night and firelight are gradients.</source>
+        <translation>Les flammes sont cinq dessins montrés tour à tour ; la nuit et la lueur du feu sont des dégradés.</translation>
+    </message>
+    <message>
+        <source>Lighthouse</source>
+        <translation>Phare</translation>
+    </message>
+    <message>
+        <source>Noise makes foam and crests, the beam is clear paint that turns.</source>
+        <translation>Le bruit fait l&apos;écume et les crêtes, le faisceau est une peinture transparente qui tourne.</translation>
+    </message>
+    <message>
+        <source>Koi pond</source>
+        <translation>Bassin aux koïs</translation>
+    </message>
+    <message>
+        <source>Spots reach no further than the fish they touch; shadows swim along.</source>
+        <translation>Les taches ne dépassent pas le poisson qu&apos;elles touchent ; les ombres nagent avec lui.</translation>
+    </message>
+    <message>
+        <source>Pendulum</source>
+        <translation>Pendule</translation>
+    </message>
+    <message>
+        <source>A still camera; the arrow rides on the bob and is drawn anew twelve times a swing.</source>
+        <translation>Une caméra fixe ; la flèche suit la boule et est redessinée douze fois par oscillation.</translation>
+    </message>
+    <message>
+        <source>Chalk in the yard</source>
+        <translation>Craie dans la cour</translation>
+    </message>
+    <message>
+        <source>Canvases lie on the ground and on the wall and keep their perspective as the camera goes by.</source>
+        <translation>Les toiles sont posées au sol et sur le mur et gardent leur perspective quand la caméra passe.</translation>
+    </message>
+    <message>
+        <source>A ghost in the store</source>
+        <translation>Un fantôme dans la réserve</translation>
+    </message>
+    <message>
+        <source>Six drawings in a loop; keyframes carry them around the post and behind the boxes.</source>
+        <translation>Six dessins en boucle ; des images clés les mènent autour du poteau et derrière les caisses.</translation>
+    </message>
+    <message>
+        <source>Over the hills</source>
+        <translation>Par-dessus les collines</translation>
+    </message>
+    <message>
+        <source>The camera only turns: birds fly by keyframes, one of them behind the house.</source>
+        <translation>La caméra ne fait que tourner : les oiseaux volent par images clés, l&apos;un derrière la maison.</translation>
+    </message>
 </context>
 <context>
     <name>ductus::SegmentedSwitch</name>

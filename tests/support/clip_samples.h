@@ -24,10 +24,19 @@ struct SampleClip
 SampleClip passingBox();
 /// Labels and stickers that stay where they are while the camera walks in.
 SampleClip walkThrough();
+/// A pendulum before a still camera; an arrow that is drawn anew as its speed changes.
+SampleClip pendulum();
+/// Chalk on the ground and on a wall, which keeps its perspective.
+SampleClip chalkYard();
+/// A ghost, drawn frame by frame, flies around shelves and behind them.
+SampleClip ghostInTheStore();
+/// A camera that only turns: birds, a sun and a label over hills.
+SampleClip panOverHills();
 
 std::vector<SampleClip> sampleClips();
 
-/// ID.mp4, ID.ductus and ID.png for each, and clips.json with their titles.
-Result<void> writeSampleClips(const std::filesystem::path &folder, const JobControl &control);
+/// ID.mp4, ID.ductus and ID.png for each, or those of \a ids alone, and clips.json with the titles of all.
+Result<void> writeSampleClips(const std::filesystem::path &folder, const std::vector<std::string> &ids,
+                              const JobControl &control);
 
 } // namespace ductus

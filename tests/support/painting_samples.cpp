@@ -20,6 +20,16 @@ std::vector<SamplePaintingFile> samplePaintings()
     samples.push_back({"desk-diorama", "Desk by day and night",
                        "A sunbeam through the window, a lamp for the night: one scene, two looks.",
                        deskDiorama()});
+    samples.push_back({"vase", "One vase, three glazes",
+                       "Ornament is painted once; looks give every layer another colour.",
+                       vaseInThreeGlazes()});
+    samples.push_back({"campfire", "Campfire",
+                       "Flames are five drawings shown in turn; night and firelight are gradients.",
+                       campfire()});
+    samples.push_back({"lighthouse", "Lighthouse",
+                       "Noise makes foam and crests, the beam is clear paint that turns.", lighthouse()});
+    samples.push_back({"koi-pond", "Koi pond",
+                       "Spots reach no further than the fish they touch; shadows swim along.", koiPond()});
     return samples;
 }
 

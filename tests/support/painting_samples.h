@@ -19,6 +19,10 @@ struct SamplePaintingFile
 Painting forestPath();
 Painting planeOverClouds();
 Painting deskDiorama();
+Painting vaseInThreeGlazes();
+Painting campfire();
+Painting lighthouse();
+Painting koiPond();
 
 std::vector<SamplePaintingFile> samplePaintings();
 
