@@ -1742,7 +1742,7 @@
     </message>
     <message>
         <source>Ornament is painted once; looks give every layer another colour.</source>
-        <translation>Das Ornament wird einmal gemalt; Looks geben jeder Ebene eine andere Farbe.</translation>
+        <translation>Das Ornament ist einmal gemalt; Looks geben jeder Ebene eine andere Farbe.</translation>
     </message>
     <message>
         <source>Campfire</source>
@@ -1758,11 +1758,11 @@
     </message>
     <message>
         <source>Noise makes foam and crests, the beam is clear paint that turns.</source>
-        <translation>Rauschen macht Gischt und Wellenkämme, der Lichtstrahl ist durchsichtige Farbe, die sich dreht.</translation>
+        <translation>Rauschen macht Schaum und Kämme, der Strahl ist helle Farbe, die sich dreht.</translation>
     </message>
     <message>
         <source>Koi pond</source>
-        <translation>Koi-Teich</translation>
+        <translation>Koiteich</translation>
     </message>
     <message>
         <source>Spots reach no further than the fish they touch; shadows swim along.</source>
@@ -1774,7 +1774,7 @@
     </message>
     <message>
         <source>A still camera; the arrow rides on the bob and is drawn anew twelve times a swing.</source>
-        <translation>Eine stehende Kamera; der Pfeil reitet auf der Kugel und wird je Schwingung zwölfmal neu gezeichnet.</translation>
+        <translation>Eine stille Kamera; der Pfeil sitzt auf dem Pendelkörper und ist zwölfmal je Schwung neu gezeichnet.</translation>
     </message>
     <message>
         <source>Chalk in the yard</source>
@@ -1782,7 +1782,7 @@
     </message>
     <message>
         <source>Canvases lie on the ground and on the wall and keep their perspective as the camera goes by.</source>
-        <translation>Leinwände liegen am Boden und an der Wand und behalten ihre Perspektive, während die Kamera vorbeizieht.</translation>
+        <translation>Leinwände liegen auf dem Boden und an der Wand und behalten ihre Perspektive, während die Kamera vorbeizieht.</translation>
     </message>
     <message>
         <source>A ghost in the store</source>
@@ -1790,15 +1790,15 @@
     </message>
     <message>
         <source>Six drawings in a loop; keyframes carry them around the post and behind the boxes.</source>
-        <translation>Sechs Zeichnungen in einer Schleife; Keyframes tragen sie um den Pfosten und hinter die Kisten.</translation>
+        <translation>Sechs Zeichnungen in einer Schleife; Keyframes führen sie um den Pfosten und hinter die Kisten.</translation>
     </message>
     <message>
         <source>Over the hills</source>
-        <translation>Über den Hügeln</translation>
+        <translation>Über die Hügel</translation>
     </message>
     <message>
         <source>The camera only turns: birds fly by keyframes, one of them behind the house.</source>
-        <translation>Die Kamera dreht sich nur: Vögel fliegen nach Keyframes, einer hinter das Haus.</translation>
+        <translation>Die Kamera dreht sich nur: Vögel fliegen nach Keyframes, einer davon hinter dem Haus.</translation>
     </message>
 </context>
 <context>

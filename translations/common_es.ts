@@ -1750,7 +1750,7 @@
     </message>
     <message>
         <source>Flames are five drawings shown in turn; night and firelight are gradients.</source>
-        <translation>Las llamas son cinco dibujos que se turnan; la noche y la luz del fuego son degradados.</translation>
+        <translation>Las llamas son cinco dibujos por turno; la noche y el resplandor son degradados.</translation>
     </message>
     <message>
         <source>Lighthouse</source>
@@ -1758,7 +1758,7 @@
     </message>
     <message>
         <source>Noise makes foam and crests, the beam is clear paint that turns.</source>
-        <translation>El ruido forma espuma y crestas; el haz es pintura transparente que gira.</translation>
+        <translation>El ruido hace la espuma y las crestas; el haz es pintura clara que gira.</translation>
     </message>
     <message>
         <source>Koi pond</source>
@@ -1766,7 +1766,7 @@
     </message>
     <message>
         <source>Spots reach no further than the fish they touch; shadows swim along.</source>
-        <translation>Las manchas no salen del pez que tocan; las sombras nadan con él.</translation>
+        <translation>Las manchas no pasan del pez que tocan; las sombras nadan con él.</translation>
     </message>
     <message>
         <source>Pendulum</source>
@@ -1774,7 +1774,7 @@
     </message>
     <message>
         <source>A still camera; the arrow rides on the bob and is drawn anew twelve times a swing.</source>
-        <translation>Una cámara fija; la flecha va con la bola y se dibuja de nuevo doce veces por oscilación.</translation>
+        <translation>Cámara quieta; la flecha va sobre la pesa y se dibuja de nuevo doce veces por oscilación.</translation>
     </message>
     <message>
         <source>Chalk in the yard</source>
@@ -1782,7 +1782,7 @@
     </message>
     <message>
         <source>Canvases lie on the ground and on the wall and keep their perspective as the camera goes by.</source>
-        <translation>Los lienzos están en el suelo y en la pared y conservan su perspectiva al pasar la cámara.</translation>
+        <translation>Hay lienzos en el suelo y en la pared que mantienen su perspectiva al pasar la cámara.</translation>
     </message>
     <message>
         <source>A ghost in the store</source>
@@ -1790,7 +1790,7 @@
     </message>
     <message>
         <source>Six drawings in a loop; keyframes carry them around the post and behind the boxes.</source>
-        <translation>Seis dibujos en bucle; los fotogramas clave los llevan en torno al poste y tras las cajas.</translation>
+        <translation>Seis dibujos en bucle; los fotogramas clave los llevan alrededor del poste y tras las cajas.</translation>
     </message>
     <message>
         <source>Over the hills</source>
@@ -1798,7 +1798,7 @@
     </message>
     <message>
         <source>The camera only turns: birds fly by keyframes, one of them behind the house.</source>
-        <translation>La cámara solo gira: los pájaros vuelan por fotogramas clave, uno tras la casa.</translation>
+        <translation>La cámara solo gira: los pájaros vuelan por fotogramas clave, uno de ellos tras la casa.</translation>
     </message>
 </context>
 <context>

@@ -1742,7 +1742,7 @@
     </message>
     <message>
         <source>Ornament is painted once; looks give every layer another colour.</source>
-        <translation>L&apos;ornement est peint une fois ; les ambiances donnent une autre couleur à chaque calque.</translation>
+        <translation>L’ornement n’est peint qu’une fois ; les ambiances donnent une autre couleur à chaque calque.</translation>
     </message>
     <message>
         <source>Campfire</source>
@@ -1750,7 +1750,7 @@
     </message>
     <message>
         <source>Flames are five drawings shown in turn; night and firelight are gradients.</source>
-        <translation>Les flammes sont cinq dessins montrés tour à tour ; la nuit et la lueur du feu sont des dégradés.</translation>
+        <translation>Les flammes sont cinq dessins montrés tour à tour ; nuit et lueur du feu sont des dégradés.</translation>
     </message>
     <message>
         <source>Lighthouse</source>
@@ -1758,15 +1758,15 @@
     </message>
     <message>
         <source>Noise makes foam and crests, the beam is clear paint that turns.</source>
-        <translation>Le bruit fait l&apos;écume et les crêtes, le faisceau est une peinture transparente qui tourne.</translation>
+        <translation>Le bruit fait l’écume et les crêtes, le faisceau est une peinture claire qui tourne.</translation>
     </message>
     <message>
         <source>Koi pond</source>
-        <translation>Bassin aux koïs</translation>
+        <translation>Bassin aux carpes</translation>
     </message>
     <message>
         <source>Spots reach no further than the fish they touch; shadows swim along.</source>
-        <translation>Les taches ne dépassent pas le poisson qu&apos;elles touchent ; les ombres nagent avec lui.</translation>
+        <translation>Les taches ne dépassent pas le poisson qu’elles touchent ; les ombres nagent avec lui.</translation>
     </message>
     <message>
         <source>Pendulum</source>
@@ -1774,7 +1774,7 @@
     </message>
     <message>
         <source>A still camera; the arrow rides on the bob and is drawn anew twelve times a swing.</source>
-        <translation>Une caméra fixe ; la flèche suit la boule et est redessinée douze fois par oscillation.</translation>
+        <translation>Caméra fixe ; la flèche suit la masse et est redessinée douze fois par oscillation.</translation>
     </message>
     <message>
         <source>Chalk in the yard</source>
@@ -1782,23 +1782,23 @@
     </message>
     <message>
         <source>Canvases lie on the ground and on the wall and keep their perspective as the camera goes by.</source>
-        <translation>Les toiles sont posées au sol et sur le mur et gardent leur perspective quand la caméra passe.</translation>
+        <translation>Des toiles au sol et au mur gardent leur perspective au passage de la caméra.</translation>
     </message>
     <message>
         <source>A ghost in the store</source>
-        <translation>Un fantôme dans la réserve</translation>
+        <translation>Un fantôme dans l’entrepôt</translation>
     </message>
     <message>
         <source>Six drawings in a loop; keyframes carry them around the post and behind the boxes.</source>
-        <translation>Six dessins en boucle ; des images clés les mènent autour du poteau et derrière les caisses.</translation>
+        <translation>Six dessins en boucle ; des images clés les mènent autour du poteau et derrière les caisses.</translation>
     </message>
     <message>
         <source>Over the hills</source>
-        <translation>Par-dessus les collines</translation>
+        <translation>Par-delà les collines</translation>
     </message>
     <message>
         <source>The camera only turns: birds fly by keyframes, one of them behind the house.</source>
-        <translation>La caméra ne fait que tourner : les oiseaux volent par images clés, l&apos;un derrière la maison.</translation>
+        <translation>La caméra ne fait que tourner : des oiseaux volent par images clés, l’un derrière la maison.</translation>
     </message>
 </context>
 <context>

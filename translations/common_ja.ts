@@ -1737,11 +1737,11 @@
     </message>
     <message>
         <source>One vase, three glazes</source>
-        <translation>ひとつの花瓶、三つの釉薬</translation>
+        <translation>1 つの花瓶、3 つの釉薬</translation>
     </message>
     <message>
         <source>Ornament is painted once; looks give every layer another colour.</source>
-        <translation>模様を描くのは一度だけ。ルックが各レイヤーに別の色を与えます。</translation>
+        <translation>模様を描くのは 1 度だけ。ルックごとに各レイヤーの色が変わります。</translation>
     </message>
     <message>
         <source>Campfire</source>
@@ -1749,7 +1749,7 @@
     </message>
     <message>
         <source>Flames are five drawings shown in turn; night and firelight are gradients.</source>
-        <translation>炎は順に表示される 5 枚の絵。夜と火明かりはグラデーションです。</translation>
+        <translation>炎は 5 枚の絵を順に表示。夜と火の明かりはグラデーションです。</translation>
     </message>
     <message>
         <source>Lighthouse</source>
@@ -1757,7 +1757,7 @@
     </message>
     <message>
         <source>Noise makes foam and crests, the beam is clear paint that turns.</source>
-        <translation>ノイズが泡と波頭になり、光線は回転する透明な絵の具です。</translation>
+        <translation>ノイズが泡と波頭を作り、光の筋は回転する明るい絵の具です。</translation>
     </message>
     <message>
         <source>Koi pond</source>
@@ -1765,7 +1765,7 @@
     </message>
     <message>
         <source>Spots reach no further than the fish they touch; shadows swim along.</source>
-        <translation>斑点は触れた魚だけを彩り、影も一緒に泳ぎます。</translation>
+        <translation>模様は触れている魚からはみ出さず、影も一緒に泳ぎます。</translation>
     </message>
     <message>
         <source>Pendulum</source>
@@ -1773,31 +1773,31 @@
     </message>
     <message>
         <source>A still camera; the arrow rides on the bob and is drawn anew twelve times a swing.</source>
-        <translation>カメラは固定。矢印はおもりに乗り、一往復に 12 回描き直されます。</translation>
+        <translation>静止したカメラ。矢印はおもりに乗り、1 往復に 12 回描き直されます。</translation>
     </message>
     <message>
         <source>Chalk in the yard</source>
-        <translation>庭のチョーク</translation>
+        <translation>中庭のチョーク</translation>
     </message>
     <message>
         <source>Canvases lie on the ground and on the wall and keep their perspective as the camera goes by.</source>
-        <translation>キャンバスは地面や壁に置かれ、カメラが動いても遠近を保ちます。</translation>
+        <translation>地面と壁のキャンバスが、カメラが通り過ぎても遠近を保ちます。</translation>
     </message>
     <message>
         <source>A ghost in the store</source>
-        <translation>倉庫のおばけ</translation>
+        <translation>倉庫の幽霊</translation>
     </message>
     <message>
         <source>Six drawings in a loop; keyframes carry them around the post and behind the boxes.</source>
-        <translation>6 枚の絵のループ。キーフレームが柱の周りや箱の後ろへ運びます。</translation>
+        <translation>6 枚の絵のループ。キーフレームで柱を回り、箱の後ろへ動きます。</translation>
     </message>
     <message>
         <source>Over the hills</source>
-        <translation>丘の上で</translation>
+        <translation>丘を越えて</translation>
     </message>
     <message>
         <source>The camera only turns: birds fly by keyframes, one of them behind the house.</source>
-        <translation>カメラは向きを変えるだけ。鳥はキーフレームで飛び、一羽は家の後ろを通ります。</translation>
+        <translation>カメラは回るだけ。鳥はキーフレームで飛び、1 羽は家の後ろを通ります。</translation>
     </message>
 </context>
 <context>

@@ -144,7 +144,7 @@
     </message>
     <message>
         <source>&amp;Seen</source>
-        <translation>G&amp;esehen</translation>
+        <translation>&amp;Blickpunkt</translation>
     </message>
     <message>
         <source>From where the film looks at the painting.</source>
@@ -212,7 +212,7 @@
     </message>
     <message>
         <source>&amp;Frames a second</source>
-        <translation>&amp;Bilder pro Sekunde</translation>
+        <translation>Bilder &amp;pro Sekunde</translation>
     </message>
     <message>
         <source>25 suits films, 12 a hand-drawn loop.</source>
@@ -236,7 +236,7 @@
     </message>
     <message>
         <source>&amp;Export...</source>
-        <translation>E&amp;xportieren...</translation>
+        <translation>&amp;Exportieren...</translation>
     </message>
     <message>
         <source>MP4 has no transparency; choose WebM, GIF or PNG.</source>

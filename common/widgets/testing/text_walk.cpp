@@ -166,6 +166,7 @@ QStringList unmarkedTexts(QWidget &window, const QStringList &named)
         QString rest = outsideMarks(spoken(said.text));
         for (const QString &name : named)
             rest.remove(name);
+        rest.remove(QRegularExpression(QStringLiteral("#[0-9a-f]{6}"))); // colours name themselves
         if (hasWords(rest))
             found << said.where + QStringLiteral(": ") + said.text;
     };
