@@ -3,6 +3,7 @@
 // finding, not a failure.
 #include "benchmarks/report/table.h"
 #include "benchmarks/tracking/joints_section.h"
+#include "benchmarks/tracking/photo_section.h"
 #include "benchmarks/tracking/synthetic_section.h"
 
 #include <algorithm>
@@ -27,6 +28,8 @@ constexpr Target targets[] = {
     {"AJ strided, found depth and flow", "synthetic", "ajStrided", "found", 45.0, 0},
     {"occlusion accuracy, true", "synthetic", "occlusionStrided", "true", 85.0, 0},
     {"occlusion accuracy, found", "synthetic", "occlusionStrided", "found", 85.0, 0},
+    {"filmed things, one keyframe", "photos", "delta", "", 75.0, 1},
+    {"filmed things, two keyframes", "photos", "delta", "", 85.0, 2},
     {"joints, one keyframe", "joints", "delta", "", 75.0, 1},
     {"joints, two keyframes", "joints", "delta", "", 85.0, 2},
 };
@@ -83,12 +86,12 @@ int main(int argc, char **argv)
         } else if ((name == "--only" || name == "--json") && i + 1 < argc) {
             (name == "--only" ? only : json) = argv[++i];
         } else {
-            std::cout << "usage: bench_tracking [--quick] [--only synthetic|joints] [--json FILE]\n"
-                         "  --quick   smaller synthetic clips, no filmed one\n";
+            std::cout << "usage: bench_tracking [--quick] [--only synthetic|photos|joints] [--json FILE]\n"
+                         "  --quick   smaller synthetic clips, no filmed ones\n";
             return name == "--help" ? 0 : 2;
         }
     }
-    if (!only.empty() && only != "synthetic" && only != "joints") {
+    if (!only.empty() && only != "synthetic" && only != "photos" && only != "joints") {
         std::cerr << "there is no section '" << only << "'\n";
         return 2;
     }
@@ -97,6 +100,8 @@ int main(int argc, char **argv)
     if (only.empty() || only == "synthetic")
         failures += runSyntheticSection(isQuick ? SyntheticSize{240, 136, 16, 48.0} : SyntheticSize{}, report,
                                         std::cout);
+    if (only == "photos" || (only.empty() && !isQuick))
+        failures += runPhotoSection(DUCTUS_SHARED_DATA, report, std::cout);
     if (only == "joints" || (only.empty() && !isQuick))
         failures += runJointsSection(DUCTUS_SHARED_DATA, report, std::cout);
     printTargets(report);

@@ -93,6 +93,9 @@ public:
         if (mLast)
             for (const std::vector<FollowedPixel> &way : mLast->ways)
                 add(way[mCount - step].pixel, false);
+        if (mLast)
+            for (std::size_t i = 0; i < mFirst.ways.size(); ++i)
+                addBridges(mFirst.ways[i], mLast->ways[i], step, add);
         add(expected.pixel, false);
         if (!mShot.pictures.empty())
             for (const Vec2 &pixel : alikePlaces(frame, expected))
@@ -116,6 +119,32 @@ private:
         const Vec2 b =
             back.pixel + (1.0 - share) * (mFirst.keyframe.pixel - mLast->support.places[mCount].pixel);
         return {(1.0 - share) * a + share * b, (1.0 - share) * aheadDeviation + share * backDeviation};
+    }
+
+    // A way misses the other keyframe by what it drifted, most of it where it was least sure: with that taken
+    // off it meets both. So do the two ways together, the surer one counting more.
+    template <typename Add>
+    void addBridges(const std::vector<FollowedPixel> &ahead, const std::vector<FollowedPixel> &back,
+                    std::size_t step, const Add &add) const
+    {
+        const Vec2 a = bridged(ahead, mLast->keyframe.pixel, step),
+                   b = bridged(back, mFirst.keyframe.pixel, mCount - step);
+        const double share = shareOf(ahead[step].variance, back[mCount - step].variance);
+        add(a, false);
+        add(b, false);
+        add((1.0 - share) * a + share * b, false);
+    }
+
+    static double shareOf(double variance, double other)
+    {
+        return variance + other > 0.0 ? variance / (variance + other) : 0.5;
+    }
+
+    static Vec2 bridged(const std::vector<FollowedPixel> &way, const Vec2 &end, std::size_t step)
+    {
+        const double whole = way.back().variance;
+        const double share = whole > 0.0 ? std::min(1.0, way[step].variance / whole) : 0.0;
+        return way[step].pixel + share * (end - way.back().pixel);
     }
 
     double differenceOf(int frame, const Vec2 &pixel) const

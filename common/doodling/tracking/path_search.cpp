@@ -32,6 +32,12 @@ void improve(Arrival &arrival, double cost, std::size_t frame, std::size_t place
         arrival = {cost, frame, place, knowledge};
 }
 
+struct MovedPlace
+{
+    Vec2 pixel = Vec2::Zero();
+    double deviation = 0.0; // pixels
+};
+
 class PathSearch
 {
 public:
@@ -78,20 +84,23 @@ private:
     {
         const double look = std::pow(place.difference / mOptions.alikeDifference, 2);
         const double most = knowledge == ByLooks ? mOptions.mostLookCost : mOptions.mostLedLookCost;
-        const double cost =
-            std::min(look, most) +
-            std::min(mOptions.thingShare * place.farness * place.farness, mOptions.mostThingCost) +
-            (place.isFound ? mOptions.foundCost : 0.0);
+        const double cost = std::min(look, most) +
+                            std::min((mIsClosed ? mOptions.closedThingShare : mOptions.thingShare) *
+                                         place.farness * place.farness,
+                                     mOptions.mostThingCost) +
+                            (place.isFound ? mOptions.foundCost : 0.0);
         return isInside(mShot, place.pixel) ? cost : cost + mOptions.outsideCost;
     }
 
-    // Where the flow takes the places of a frame until the next one.
-    std::vector<Vec2> movedPlaces(std::size_t from, std::size_t to) const
+    // Where the flow takes the places of a frame until the next one, and how far it is off as it seems.
+    std::vector<MovedPlace> movedPlaces(std::size_t from, std::size_t to) const
     {
-        std::vector<Vec2> moved;
-        for (const Proposal &place : mFrames[from])
-            moved.push_back(place.pixel +
-                            motionBetween(mShot, frameOf(from), frameOf(to), place.pixel)->motion);
+        const double sure = mIsClosed ? mOptions.closedStepPixels : mOptions.stepPixels;
+        std::vector<MovedPlace> moved;
+        for (const Proposal &place : mFrames[from]) {
+            const MotionAt motion = *motionBetween(mShot, frameOf(from), frameOf(to), place.pixel);
+            moved.push_back({place.pixel + motion.motion, sure + mOptions.disagreeingShare * missOf(motion)});
+        }
         return moved;
     }
 
@@ -107,15 +116,15 @@ private:
     void goByFlow(std::size_t to)
     {
         const std::vector<Proposal> &before = mFrames[to - 1], &here = mFrames[to];
-        const std::vector<Vec2> ahead = movedPlaces(to - 1, to), back = movedPlaces(to, to - 1);
+        const std::vector<MovedPlace> ahead = movedPlaces(to - 1, to), back = movedPlaces(to, to - 1);
         for (std::size_t j = 0; j < here.size(); ++j) {
             Arrivals &arrivals = mArrivals[to][j];
             for (std::size_t i = 0; i < before.size(); ++i) {
                 const Arrivals &origin = mArrivals[to - 1][i];
-                const double missAhead = (here[j].pixel - ahead[i]).norm(),
-                             missBack = (back[j] - before[i].pixel).norm();
-                const double step = std::min(std::pow(std::min(missAhead, missBack) / mOptions.stepPixels, 2),
-                                             mOptions.mostStepCost);
+                const double missAhead = (here[j].pixel - ahead[i].pixel).norm(),
+                             missBack = (back[j].pixel - before[i].pixel).norm();
+                const double miss = std::min(missAhead / ahead[i].deviation, missBack / back[j].deviation);
+                const double step = std::min(miss * miss, mOptions.mostStepCost);
                 const bool isUnbroken = isUnbrokenStep(before[i], here[j], std::max(missAhead, missBack));
                 for (int k = 0; k < knowledgeCount; ++k)
                     for (int l = k; l < knowledgeCount; ++l) {

@@ -1,7 +1,7 @@
 // The shortest path through proposed places (pixel_path.h). A point that is seen goes by the flow; a
-// leap to a place that looks better costs. Edges over several frames stand for stretches in which it is hidden and
-// goes with its thing, more or less; each costs something to begin and something a frame, so that a
-// point is called hidden only where being seen is the worse explanation.
+// leap to a place that looks better costs. Edges over several frames stand for stretches in which it is
+// hidden and goes with its thing, more or less; each costs something to begin and something a frame, so that
+// a point is called hidden only where being seen is the worse explanation.
 #pragma once
 
 #include "doodling/tracking/pixel_path.h"
