@@ -113,22 +113,35 @@ StrokeId SketchDocument::addStroke(const std::vector<Vec3> &points, StrokeRole r
 
 std::vector<StrokeId> SketchDocument::addStrokes(const std::vector<std::vector<Vec3>> &lines, StrokeRole role)
 {
+    std::vector<Stroke> strokes;
+    for (const std::vector<Vec3> &points : lines) {
+        Stroke &stroke = strokes.emplace_back();
+        stroke.role = role;
+        stroke.points = points;
+    }
+    return append(tr("Draw stroke"), std::move(strokes));
+}
+
+std::vector<StrokeId> SketchDocument::pasteStrokes(std::vector<Stroke> strokes)
+{
+    return append(tr("Paste strokes"), std::move(strokes));
+}
+
+std::vector<StrokeId> SketchDocument::append(const QString &text, std::vector<Stroke> added)
+{
     StrokeSet next = strokes();
     int free = 0;
     for (const Stroke &other : next.strokes)
         free = std::max(free, other.id.value + 1);
     std::vector<StrokeId> ids;
-    for (const std::vector<Vec3> &points : lines) {
-        Stroke stroke;
+    for (Stroke &stroke : added) {
         stroke.id.value = free++;
-        stroke.role = role;
-        stroke.points = points;
         ids.push_back(stroke.id);
         next.strokes.push_back(std::move(stroke));
     }
     SketchContent content = mContent;
     content.strokes = std::make_shared<const StrokeSet>(std::move(next));
-    edit(tr("Draw stroke"), std::move(content));
+    edit(text, std::move(content));
     return ids;
 }
 

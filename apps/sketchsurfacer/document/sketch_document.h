@@ -51,6 +51,8 @@ public:
     /// Several in one step of the history; the ids of the new strokes.
     std::vector<StrokeId> addStrokes(const std::vector<std::vector<Vec3>> &lines,
                                      StrokeRole role = StrokeRole::Surface);
+    /// Strokes of another app as one step; they get new ids and keep pressure, time and role.
+    std::vector<StrokeId> pasteStrokes(std::vector<Stroke> strokes);
     /// By \a way, in the unit of the sketch.
     void moveStrokes(const std::vector<StrokeId> &strokes, const Vec3 &way);
     void bendStroke(StrokeId stroke, const StrokeBend &bend);
@@ -98,6 +100,7 @@ private:
         std::shared_ptr<const SurfacingState> state;
     };
 
+    std::vector<StrokeId> append(const QString &text, std::vector<Stroke> added);
     void edit(const QString &text, SketchContent next, quint64 drag = 0);
     void apply(const SketchContent &content);
     void showResult();

@@ -79,7 +79,7 @@ Message messageFrom(const Error &error)
 
 MessageBar::MessageBar(QWidget *parent)
     : QFrame(parent), mIcon(new QLabel), mText(new QLabel), mCount(new QLabel), mAction(new QPushButton),
-      mClose(new QToolButton)
+      mDecline(new QPushButton), mClose(new QToolButton)
 {
     setObjectName(QStringLiteral("messageBar"));
     setAccessibleName(tr("Messages"));
@@ -100,8 +100,10 @@ MessageBar::MessageBar(QWidget *parent)
     layout->addWidget(mText, 1);
     layout->addWidget(mCount);
     layout->addWidget(mAction);
+    layout->addWidget(mDecline);
     layout->addWidget(mClose);
     connect(mClose, &QToolButton::clicked, this, &MessageBar::closeCurrent);
+    connect(mDecline, &QPushButton::clicked, this, &MessageBar::closeCurrent);
     connect(mAction, &QPushButton::clicked, this, [this] {
         const std::function<void()> run = mMessages.last().run;
         closeCurrent();
@@ -193,6 +195,9 @@ void MessageBar::refresh()
     mAction->setVisible(!message.action.isEmpty());
     mAction->setText(message.action);
     mAction->setAccessibleName(message.action);
+    mDecline->setVisible(!message.decline.isEmpty());
+    mDecline->setText(message.decline);
+    mDecline->setAccessibleName(message.decline);
     mCount->setVisible(mMessages.size() > 1);
     mCount->setText(tr("%n more", nullptr, int(mMessages.size()) - 1));
 }

@@ -25,6 +25,7 @@ struct Message
     std::function<void()> run = {}; // what the button does; the message closes
     QString key = {};               // a message with the same key replaces the old one; empty: none
     int secondsShown = 0;           // closes by itself; 0: stays. Use it for Success and Info only
+    QString decline = {};           // text of a button beside the action that only closes: "Not now"; may be empty
 };
 
 /// The words for \a error.
@@ -65,6 +66,7 @@ private:
     QLabel *mText;
     QLabel *mCount;
     QPushButton *mAction;
+    QPushButton *mDecline;
     QToolButton *mClose;
     int mShownSerial = 0;
 };

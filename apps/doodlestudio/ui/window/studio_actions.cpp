@@ -59,6 +59,22 @@ void StudioWindow::addFileActions()
                  file},
                 [this] { packAnalysis(actions().action(QStringLiteral("file.pack"))->isChecked()); });
     pack->setCheckable(true);
+    all.add(
+        {"file.place",
+         tr("Place a pa&inting..."),
+         tr("Stands a painting of LayerPainter in the scene: seen by the shot's camera, hidden by what is "
+            "before it."),
+         "document-import",
+         {},
+         file},
+        [this] { choosePainting(); });
+    all.add({"file.updatePaintings",
+             tr("&Update paintings"),
+             tr("Takes what has changed in the paintings that stand in the scene; they stay where they are."),
+             "view-refresh",
+             {QKeySequence("F5")},
+             file},
+            [this] { lookForNewerPaintings(true); });
     QAction *exportFilm = all.add({"file.export",
                                    tr("&Export..."),
                                    tr("Makes a film, a moving picture for slides, or an overlay."),
@@ -291,6 +307,20 @@ void StudioWindow::addDrawingActions()
              {QKeySequence("Shift+Delete")},
              draw},
             [this] { mDrawing->strip().removeDrawing(); });
+    all.add({"draw.copy",
+             tr("&Copy lines"),
+             tr("Puts the lines of this drawing on the clipboard, for the other apps of the suite as well."),
+             "edit-copy",
+             {QKeySequence::Copy},
+             draw},
+            [this] { copyStrokes(); });
+    all.add({"draw.paste",
+             tr("Paste &lines"),
+             tr("Draws the strokes on the clipboard on the chosen canvas, whichever app they come from."),
+             "edit-paste",
+             {QKeySequence::Paste},
+             draw},
+            [this] { pasteStrokes(); });
     all.add({"draw.next",
              tr("Ne&xt drawing"),
              tr("Goes to the next drawing of the canvas."),
@@ -315,16 +345,16 @@ void StudioWindow::fillMenus()
             list << actions().action(QLatin1String(id));
         return list;
     };
-    addToMenu(fileMenu(),
-              named({"file.open", "file.start", "file.save", "file.saveAs", "file.pack", "file.export"}));
+    addToMenu(fileMenu(), named({"file.open", "file.start", "file.save", "file.saveAs", "file.pack",
+                                 "file.place", "file.updatePaintings", "file.export"}));
     menu(tr("&Canvas"))
         ->addActions(named({"canvas.follow", "canvas.stay", "canvas.face", "canvas.previousKeyframe",
                             "canvas.nextKeyframe", "canvas.duplicate", "canvas.remove", "scene.analyse"}));
     menu(tr("&Draw"))
-        ->addActions(
-            named({"draw.pen", "draw.fill", "draw.arrow", "draw.words", "draw.sticker", "draw.eraser",
-                   "draw.move", "draw.wider", "draw.narrower", "draw.onion", "draw.addDrawing",
-                   "draw.duplicateDrawing", "draw.removeDrawing", "draw.next", "draw.previous"}));
+        ->addActions(named({"draw.pen", "draw.fill", "draw.arrow", "draw.words", "draw.sticker",
+                            "draw.eraser", "draw.move", "draw.copy", "draw.paste", "draw.wider",
+                            "draw.narrower", "draw.onion", "draw.addDrawing", "draw.duplicateDrawing",
+                            "draw.removeDrawing", "draw.next", "draw.previous"}));
     menu(tr("&Play"))
         ->addActions(named({"play.toggle", "play.back", "play.forward", "play.start", "play.end",
                             "play.reverse", "play.stop", "play.faster", "play.sound"}));

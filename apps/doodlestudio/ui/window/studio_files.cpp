@@ -148,6 +148,10 @@ void StudioWindow::openClipAt(const QString &path)
 void StudioWindow::openProject(const QString &path)
 {
     openDocument(mDoodle, jobs(), path, [this, path](Result<OpenNotes> notes) {
+        if (!notes && notes.error().code == ErrorCode::TooLittleData) {
+            takePainting(path); // no filmed scene, so perhaps a painting for one
+            return;
+        }
         if (!notes) {
             showError(notes.error());
             return;
@@ -157,6 +161,7 @@ void StudioWindow::openProject(const QString &path)
         for (const QString &warning : notes->warnings)
             messages()->warning(warning);
         findClip();
+        lookForNewerPaintings(false);
     });
 }
 
@@ -225,6 +230,8 @@ void StudioWindow::adoptClip(OpenedClip clip)
     mPlayback.setFrameTimes(clip.clip->info().frameTimes);
     showOpened();
     updatePictureSize();
+    if (!mPaintingToPlace.isEmpty())
+        placePainting(std::exchange(mPaintingToPlace, {}));
     if (!clip.clip->info().hasAudio)
         return;
     jobs().start<ClipSound>(

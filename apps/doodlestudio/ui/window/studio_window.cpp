@@ -165,6 +165,13 @@ void StudioWindow::connectParts()
             openPath(paths.first());
     });
     connect(this, &MainWindowShell::helpRequested, this, &StudioWindow::openManual);
+    connect(&mLinkWatcher, &LinkWatcher::worthALook, this, [this] { lookForNewerPaintings(false); });
+    connect(&mDoodle, &Document::changed, this, [this](const ChangeEvent &event) {
+        if (event.as<DocumentReset>())
+            mOffered.clear();
+        if (event.as<DocumentReset>() || event.as<SceneChanged>())
+            watchPaintings();
+    });
     connect(&mUnsaved, &UnsavedWork::opened, this, &StudioWindow::findClip);
     connect(&mUnsaved.autosave(), &Autosave::aboutToWrite, this, [this] {
         mDoodle.setSnapshotFolder({});

@@ -3,6 +3,7 @@
 // wizard.
 #pragma once
 
+#include "document/link_watcher.h"
 #include "document/settings/recent_files.h"
 #include "doodlestudio/document/action_log.h"
 #include "doodlestudio/document/clip_opening.h"
@@ -22,6 +23,7 @@ class QSplitter;
 
 namespace ductus {
 
+struct PropLink;
 class CanvasList;
 class CanvasPanel;
 class DrawingPanel;
@@ -70,6 +72,15 @@ public:
     ExportDialog *openExport();
     /// What was done since the log was turned on, a line of JSON an act.
     void saveActionLog(const QString &path);
+    /// The lines drawn on the chosen canvas in the present drawing.
+    void copyStrokes();
+    /// Strokes of this or another app onto the chosen canvas, as one step of the history.
+    void pasteStrokes();
+    /// The painting of the project at \a path stands in the scene, on a canvas of its own.
+    void placePainting(const QString &path);
+    /// Looks whether paintings in the scene have changed and offers what is newer. \a isAsked: says also that
+    /// nothing is, and offers again what was declined.
+    void lookForNewerPaintings(bool isAsked);
 
 signals:
     /// A clip is there and its first picture is shown.
@@ -111,6 +122,12 @@ private:
     void showSceneWords();
     void updatePictureSize();
     void openManual(const QString &topic);
+    void choosePainting();
+    /// Places the painting in the clip that is open, or in the next one.
+    void takePainting(const QString &path);
+    void standProp(Prop prop);
+    void watchPaintings();
+    void offerNewerPaintings(const std::vector<PropLink> &links, bool isAsked);
 
     DoodleDocument mDoodle;
     CanvasFollower mFollower;
@@ -126,6 +143,9 @@ private:
     UnsavedWork mUnsaved;
     ActionLog mLog;
     RecentFiles mRecent;
+    LinkWatcher mLinkWatcher;
+    QString mPaintingToPlace; // when there is a clip
+    QString mOffered; // the newer paintings last offered: once is enough
     SegmentedSwitch *mSteps = nullptr;
     QSplitter *mSplitter = nullptr;
     PlayerView *mPlayer = nullptr;

@@ -32,6 +32,13 @@ void PainterWindow::addActions()
              {QKeySequence("Ctrl+Shift+O")},
              file},
             [this] { chooseImport(); });
+    all.add({"file.updateSurfaces",
+             tr("&Update surfaces"),
+             tr("Takes what has changed in the sketches the surfaces were made from; your layers stay."),
+             "view-refresh",
+             {QKeySequence("F5")},
+             file},
+            [this] { lookForNewerSurfaces(true); });
     all.add({"file.start",
              tr("S&tart page"),
              tr("Shows samples and recent files; the painting stays open."),
@@ -275,10 +282,11 @@ void PainterWindow::fillMenus()
             list << actions().action(QLatin1String(id));
         return list;
     };
-    addToMenu(fileMenu(), named({"file.new", "file.open", "file.import", "file.start", "file.save",
-                                 "file.saveAs", "file.export", "file.film", "file.mesh", "file.log"}));
-    addToMenu(editMenu(), named({"edit.selectLayer", "edit.duplicate", "edit.toLayer", "edit.recolour",
-                                 "edit.delete", "edit.escape"}));
+    addToMenu(fileMenu(), named({"file.new", "file.open", "file.import", "file.updateSurfaces", "file.start",
+                                 "file.save", "file.saveAs", "file.export", "file.film", "file.mesh",
+                                 "file.sendToSketchSurfacer", "file.sendToDoodleStudio", "file.log"}));
+    addToMenu(editMenu(), named({"edit.copy", "edit.paste", "edit.selectLayer", "edit.duplicate",
+                                 "edit.toLayer", "edit.recolour", "edit.delete", "edit.escape"}));
     QMenu *layer = menu(tr("&Layer"));
     layer->addActions(
         named({"layer.addStack", "layer.add", "layer.duplicate", "layer.rename", "layer.remove"}));

@@ -196,7 +196,13 @@ void PainterWindow::openProject(const QString &path)
         }
         messages()->closeAll();
         mRecent.add(path, projectThumbnail(mPainting.project()));
+        if (mPainting.isReadOnly() && mPainting.isMadeOfSurfaces()) {
+            // Sent here by an app that still has the project: the painting gets a file of its own.
+            paintOnSurfacesOf(path);
+            return;
+        }
         showOpened();
+        lookForNewerSurfaces(false);
         for (const QString &warning : notes->warnings)
             messages()->warning(warning);
     });

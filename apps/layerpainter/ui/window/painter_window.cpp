@@ -40,6 +40,7 @@ PainterWindow::PainterWindow(const ShellServices &services, QWidget *parent)
     setDocument(&mPainting);
     addActions();
     addToolActions();
+    addExchangeActions();
     fillMenus();
     fillInspector();
     auto *strip = new QWidget;
@@ -89,6 +90,7 @@ void PainterWindow::connectParts()
     connect(&mPainting, &Document::changed, this, &PainterWindow::onDocumentChanged);
     connect(&mPainting, &PaintingDocument::refused, this,
             [this](const Error &error) { messages()->show(error); });
+    connect(&mLinkWatcher, &LinkWatcher::worthALook, this, [this] { lookForNewerSurfaces(false); });
     connect(mView, &PaintingView::graphicsFailed, this, [this](const Error &error) { showError(error); });
     connect(mView, &PaintingView::pointerMoved, this, &PainterWindow::showPointerText);
     connect(this, &MainWindowShell::helpRequested, this, &PainterWindow::openManual);
@@ -140,7 +142,10 @@ void PainterWindow::setTool(PainterTool tool)
 void PainterWindow::onDocumentChanged(const ChangeEvent &event)
 {
     const auto *change = event.as<PaintingChanged>();
+    if (!change || change->elements)
+        mLinkWatcher.setFiles(linkedFiles(mPainting));
     if (!change) {
+        mOffered.clear();
         mBrushPanel->setExtent(paintingBox(mPainting.painting()).diagonal());
         setTool(PainterTool::Orbit);
         setPointerText({});

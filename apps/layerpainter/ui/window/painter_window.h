@@ -1,8 +1,11 @@
 // PainterWindow: LayerPainter's window: the shared shell filled with canvas, tools, layers and looks.
 #pragma once
 
+#include "document/link_watcher.h"
+#include "document/linked_app.h"
 #include "document/settings/recent_files.h"
 #include "layerpainter/document/import_file.h"
+#include "layerpainter/document/surface_update.h"
 #include "layerpainter/ui/panels/brush_panel.h"
 #include "layerpainter/ui/panels/colour_panel.h"
 #include "layerpainter/ui/panels/layer_panel.h"
@@ -54,6 +57,16 @@ public:
     void exportFilm(const QString &path, const FilmChoice &choice);
     void exportMesh(const QString &path);
     void saveActionLog(const QString &path);
+    /// The chosen strokes; nothing chosen: says so.
+    void copyStrokes();
+    /// Into the active layer, as one step of the history.
+    void pasteStrokes();
+    /// A sketch of the chosen strokes, or of the active layer, in a project beside this one.
+    void sendToSketchSurfacer();
+    void sendToDoodleStudio();
+    /// Looks whether the sketches behind surfaces have changed and offers what is newer. \a isAsked: says also
+    /// that nothing is, and offers again what was declined.
+    void lookForNewerSurfaces(bool isAsked);
 
 protected:
     bool saveForClosing() override;
@@ -61,6 +74,7 @@ protected:
 private:
     void addActions();
     void addToolActions();
+    void addExchangeActions();
     void fillMenus();
     void fillInspector();
     void fillStartPage();
@@ -78,6 +92,10 @@ private:
     void saveTo(const QString &path, std::function<void(bool)> finish = {});
     QString askForPath();
     void refreshRecent();
+    void offerNewerSurfaces(const std::vector<SurfaceLink> &links, bool isAsked);
+    void open(LinkedApp app, const QString &path);
+    void paintOnSurfacesOf(const QString &path);
+    void updateFromSketches(const std::vector<SurfaceLink> &links);
     void onDocumentChanged(const ChangeEvent &event);
     void setActiveLayer(LayerId layer);
     void deleteSelection();
@@ -92,6 +110,8 @@ private:
     BrushState mBrush;
     UnsavedWork mUnsaved;
     RecentFiles mRecent;
+    LinkWatcher mLinkWatcher;
+    QString mOffered; // the newer surfaces last offered: once is enough
     PaintingView *mView = nullptr;
     LayerPanel *mLayers = nullptr;
     BrushPanel *mBrushPanel = nullptr;

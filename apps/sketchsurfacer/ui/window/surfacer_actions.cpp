@@ -92,9 +92,16 @@ void SurfacerWindow::addActions()
                 if (!folder.isEmpty())
                     saveTurntable(folder, 72);
             });
+    all.add({"edit.copy",
+             tr("&Copy strokes"),
+             tr("Puts the chosen strokes, or all, on the clipboard, for the other apps of the suite as well."),
+             "edit-copy",
+             {QKeySequence::Copy},
+             edit},
+            [this] { copyStrokes(); });
     all.add({"edit.paste",
              tr("&Paste sketch"),
-             tr("Opens strokes or a path to a file from the clipboard."),
+             tr("Adds strokes copied in this or another app of the suite, or opens text or a file."),
              "edit-paste",
              {QKeySequence::Paste},
              edit},
@@ -350,7 +357,7 @@ void SurfacerWindow::fillMenus()
     addToMenu(fileMenu(),
               named({"file.new", "file.open", "file.start", "file.save", "file.saveAs", "file.export",
                      "file.sendToLayerPainter", "file.picture", "file.turntable"}));
-    addToMenu(editMenu(), named({"edit.paste", "edit.delete", "edit.selectAll", "edit.mirror"}));
+    addToMenu(editMenu(), named({"edit.copy", "edit.paste", "edit.delete", "edit.selectAll", "edit.mirror"}));
     addToMenu(viewMenu(), named({"view.frame", "view.zoomIn", "view.zoomOut", "view.perspective",
                                  "view.strokes", "view.compare", "view.ambiguity", "view.turntable"}));
     QMenu *presets = new QMenu(tr("Loo&k from"), this);

@@ -2,6 +2,7 @@
 #include "document/document_files.h"
 #include "document/linked_app.h"
 #include "document/project_picture.h"
+#include "document/stroke_clipboard.h"
 #include "sketchsurfacer/ui/window/sample_pictures.h"
 #include "sketchsurfacer/ui/window/surfacer_window.h"
 #include "widgets/pages/start_page.h"
@@ -16,6 +17,7 @@
 #include <QMimeData>
 #include <QPointer>
 #include <QUrl>
+#include <algorithm>
 
 namespace ductus {
 
@@ -135,6 +137,10 @@ void SurfacerWindow::openSample(const QString &id)
 void SurfacerWindow::pasteSketch()
 {
     const QMimeData *data = QGuiApplication::clipboard()->mimeData();
+    if (hasStrokes(data)) {
+        pasteStrokes(data);
+        return;
+    }
     if (data && data->hasUrls() && data->urls().first().isLocalFile()) {
         openPath(data->urls().first().toLocalFile());
         return;
@@ -150,6 +156,54 @@ void SurfacerWindow::pasteSketch()
                        return importSketchText(bytes, name, control);
                    });
     }
+}
+
+// Strokes of another app of the suite join the sketch; without one they become it.
+void SurfacerWindow::pasteStrokes(const QMimeData *data)
+{
+    Result<CopiedStrokes> copied = strokesFrom(data);
+    if (!copied) {
+        showError(copied.error());
+        return;
+    }
+    if (mSketch.isEmpty() || isStartPageShown()) {
+        openSketch(tr("Reading the clipboard"), [copied = *copied, name = tr("Pasted")](const JobControl &) {
+            ImportedSketch sketch;
+            sketch.name = name;
+            sketch.strokes.metresPerUnit = copied.metresPerUnit;
+            sketch.strokes.upAxis = copied.upAxis;
+            for (const CopiedStroke &stroke : copied.strokes) {
+                sketch.strokes.strokes.push_back(stroke.line);
+                sketch.strokes.strokes.back().id.value = int(sketch.strokes.strokes.size()) - 1;
+            }
+            return Result<ImportedSketch>(std::move(sketch));
+        });
+        return;
+    }
+    std::vector<Stroke> strokes;
+    for (CopiedStroke &stroke :
+         inUnit(std::move(*copied), mSketch.strokes().metresPerUnit, mSketch.strokes().upAxis).strokes)
+        strokes.push_back(std::move(stroke.line));
+    const int count = int(strokes.size());
+    mPresenter->setSelection(mSketch.pasteStrokes(std::move(strokes)));
+    messages()->success(tr("%n strokes pasted.", nullptr, count));
+}
+
+void SurfacerWindow::copyStrokes()
+{
+    CopiedStrokes copied;
+    copied.metresPerUnit = mSketch.strokes().metresPerUnit;
+    copied.upAxis = mSketch.strokes().upAxis;
+    const std::vector<StrokeId> chosen = mPresenter->selection();
+    for (const Stroke &stroke : mSketch.strokes().strokes)
+        if (chosen.empty() || std::ranges::find(chosen, stroke.id) != chosen.end())
+            copied.strokes.push_back({stroke, {}, {}});
+    if (copied.strokes.empty()) {
+        messages()->info(tr("There are no strokes to copy yet."));
+        return;
+    }
+    QGuiApplication::clipboard()->setMimeData(mimeDataOf(copied).release());
+    messages()->success(tr("%n strokes copied.", nullptr, int(copied.strokes.size())));
 }
 
 void SurfacerWindow::openSketch(const QString &title,

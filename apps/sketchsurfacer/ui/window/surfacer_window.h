@@ -13,6 +13,8 @@
 
 class QActionGroup;
 
+class QMimeData;
+
 namespace ductus {
 
 class AmbiguityPresenter;
@@ -44,7 +46,10 @@ public:
     /// A project, a sketch, or a mesh to be the proxy of the sketch that is open.
     void openPath(const QString &path);
     void openSample(const QString &id);
+    /// Strokes of another app join the sketch as one step of the history; other text and files are opened.
     void pasteSketch();
+    /// The chosen strokes, or all.
+    void copyStrokes();
     void save();
     void saveAs();
     void exportSurface();
@@ -64,6 +69,7 @@ protected:
     bool saveForClosing() override;
 
 private:
+    void pasteStrokes(const QMimeData *data);
     void addActions();
     void addToolActions();
     void addViewActions();
