@@ -792,7 +792,7 @@
     </message>
     <message>
         <source>Save action &amp;log...</source>
-        <translation>&amp;Aktionsprotokoll speichern...</translation>
+        <translation>A&amp;ktionsprotokoll speichern...</translation>
     </message>
     <message>
         <source>Everything done so far, a line each; layerpainter replay plays it again.</source>
@@ -1207,7 +1207,7 @@
     </message>
     <message>
         <source>&amp;Paste strokes</source>
-        <translation>&amp;Striche einfügen</translation>
+        <translation>S&amp;triche einfügen</translation>
     </message>
     <message>
         <source>Draws the strokes on the clipboard into the active layer, whichever app they come from.</source>

@@ -800,7 +800,7 @@
     </message>
     <message>
         <source>&amp;Delete strokes</source>
-        <translation>Eliminar &amp;trazos</translation>
+        <translation>El&amp;iminar trazos</translation>
     </message>
     <message>
         <source>Takes the chosen strokes away.</source>
@@ -824,7 +824,7 @@
     </message>
     <message>
         <source>Choose &amp;all of layer</source>
-        <translation>Elegir todo en la &amp;capa</translation>
+        <translation>Ele&amp;gir todo en la capa</translation>
     </message>
     <message>
         <source>All strokes of the active layer.</source>
@@ -1207,7 +1207,7 @@
     </message>
     <message>
         <source>&amp;Paste strokes</source>
-        <translation>&amp;Pegar trazos</translation>
+        <translation>Pegar &amp;trazos</translation>
     </message>
     <message>
         <source>Draws the strokes on the clipboard into the active layer, whichever app they come from.</source>
@@ -1215,7 +1215,7 @@
     </message>
     <message>
         <source>Send strokes to S&amp;ketchSurfacer</source>
-        <translation>Enviar &amp;trazos a SketchSurfacer</translation>
+        <translation>En&amp;viar trazos a SketchSurfacer</translation>
     </message>
     <message>
         <source>Makes a sketch of the chosen strokes, or of the active layer, and opens it in SketchSurfacer.</source>
@@ -1223,7 +1223,7 @@
     </message>
     <message>
         <source>Send to &amp;DoodleStudio</source>
-        <translation>&amp;Enviar a DoodleStudio</translation>
+        <translation>Enviar a &amp;DoodleStudio</translation>
     </message>
     <message>
         <source>Opens DoodleStudio, where this painting can stand in a filmed scene.</source>

@@ -792,7 +792,7 @@
     </message>
     <message>
         <source>Save action &amp;log...</source>
-        <translation>Enregistrer le journal &amp;d’actions...</translation>
+        <translation>En&amp;registrer le journal d’actions...</translation>
     </message>
     <message>
         <source>Everything done so far, a line each; layerpainter replay plays it again.</source>
@@ -824,7 +824,7 @@
     </message>
     <message>
         <source>Choose &amp;all of layer</source>
-        <translation>&amp;Choisir tout le calque</translation>
+        <translation>Choisir &amp;tout le calque</translation>
     </message>
     <message>
         <source>All strokes of the active layer.</source>
@@ -1223,7 +1223,7 @@
     </message>
     <message>
         <source>Send to &amp;DoodleStudio</source>
-        <translation>&amp;Envoyer à DoodleStudio</translation>
+        <translation>Envoyer à &amp;DoodleStudio</translation>
     </message>
     <message>
         <source>Opens DoodleStudio, where this painting can stand in a filmed scene.</source>
@@ -1347,7 +1347,7 @@
     </message>
     <message>
         <source>Duplicate &amp;into layer</source>
-        <translation>Dupliquer dans &amp;le calque</translation>
+        <translation>D&amp;upliquer dans le calque</translation>
     </message>
     <message>
         <source>Rec&amp;olour</source>
