@@ -1645,7 +1645,7 @@
     </message>
     <message>
         <source>Symmetric sketch with sharp shoulder, pillars and detail strokes: half is solved and mirrored.</source>
-        <translation>鋭い肩線とピラー、細部の線を持つ対称なスケッチ。半分を計算して鏡映します。</translation>
+        <translation>鋭い肩線と柱のある対称形。半分を計算して鏡映します。</translation>
     </message>
     <message>
         <source>Bottle</source>
@@ -1653,7 +1653,7 @@
     </message>
     <message>
         <source>Round shapes with sharp rings: a crease at the shoulder, none along the meridians.</source>
-        <translation>鋭いリングのある丸い形。肩にはクリースが入り、縦方向には入りません。</translation>
+        <translation>鋭いリングのある丸い形。クリースは肩にだけ入ります。</translation>
     </message>
     <message>
         <source>Box with a bevel</source>
@@ -1661,7 +1661,7 @@
     </message>
     <message>
         <source>Flat faces meet in straight edges although every stroke is a little off.</source>
-        <translation>どのストロークも少しずれていますが、平らな面がまっすぐな辺で交わります。</translation>
+        <translation>線が少しずれていても、平らな面がまっすぐな辺で交わります。</translation>
     </message>
     <message>
         <source>Folded leaf</source>
@@ -1669,7 +1669,7 @@
     </message>
     <message>
         <source>An open shell: boundary strokes say where the surface ends, the midrib is a fold.</source>
-        <translation>開いたシェル。縁のストロークが面の終わりを示し、中央の葉脈が折れ目になります。</translation>
+        <translation>開いたシェル。縁の線が面の終わりを示し、葉脈が折れ目です。</translation>
     </message>
     <message>
         <source>Computer mouse</source>
@@ -1677,7 +1677,7 @@
     </message>
     <message>
         <source>A smooth dome with a sharp belt: detail strokes lie on the surface and bend nothing.</source>
-        <translation>鋭い帯のある滑らかなドーム。細部の線は面の上にあり、形を曲げません。</translation>
+        <translation>鋭い帯のある滑らかなドーム。細部の線は形を曲げません。</translation>
     </message>
     <message>
         <source>Table lamp</source>
@@ -1685,7 +1685,7 @@
     </message>
     <message>
         <source>Thick and thin parts in one sketch: the stem needs a tight proxy.</source>
-        <translation>太い部分と細い部分が混ざったスケッチ。支柱には密着したプロキシが必要です。</translation>
+        <translation>太い部分と細い部分。支柱には密着したプロキシが必要です。</translation>
     </message>
     <message>
         <source>Iron with a handle</source>
@@ -1693,7 +1693,7 @@
     </message>
     <message>
         <source>A closed surface with a hole: the proxy must find the way through the handle.</source>
-        <translation>穴のある閉じた面。プロキシが取っ手の中の通り道を見つけます。</translation>
+        <translation>穴のある閉じた面。プロキシが取っ手の穴を見つけます。</translation>
     </message>
     <message>
         <source>Forest path</source>
@@ -1701,7 +1701,7 @@
     </message>
     <message>
         <source>Two looks, day and dawn: light is a layer of strokes, mist a gradient.</source>
-        <translation>昼と夜明けの 2 つのルック。光はストロークのレイヤー、霧はグラデーションです。</translation>
+        <translation>昼と夜明けのルック。光はレイヤー、霧はグラデーション。</translation>
     </message>
     <message>
         <source>Over the clouds</source>
@@ -1709,7 +1709,7 @@
     </message>
     <message>
         <source>Shadows are copies of strokes with tolerance; plane and shadow move as one.</source>
-        <translation>影は許容範囲を持つストロークのコピー。飛行機と影が一緒に動きます。</translation>
+        <translation>影はストロークのコピー。飛行機と影が一緒に動きます。</translation>
     </message>
     <message>
         <source>Desk by day and night</source>
@@ -1733,7 +1733,7 @@
     </message>
     <message>
         <source>Labels and stickers keep their place in the room while the camera walks in.</source>
-        <translation>カメラが進んでも、ラベルとスタンプは部屋の同じ場所にとどまります。</translation>
+        <translation>カメラが進んでも、ラベルとスタンプは同じ場所に。</translation>
     </message>
     <message>
         <source>One vase, three glazes</source>
@@ -1741,7 +1741,7 @@
     </message>
     <message>
         <source>Ornament is painted once; looks give every layer another colour.</source>
-        <translation>模様を描くのは 1 度だけ。ルックごとに各レイヤーの色が変わります。</translation>
+        <translation>模様は 1 度だけ。ルックごとに各レイヤーの色が変わります。</translation>
     </message>
     <message>
         <source>Campfire</source>
@@ -1749,7 +1749,7 @@
     </message>
     <message>
         <source>Flames are five drawings shown in turn; night and firelight are gradients.</source>
-        <translation>炎は 5 枚の絵を順に表示。夜と火の明かりはグラデーションです。</translation>
+        <translation>炎は 5 枚の絵。夜と火の明かりはグラデーションです。</translation>
     </message>
     <message>
         <source>Lighthouse</source>
@@ -1757,7 +1757,7 @@
     </message>
     <message>
         <source>Noise makes foam and crests, the beam is clear paint that turns.</source>
-        <translation>ノイズが泡と波頭を作り、光の筋は回転する明るい絵の具です。</translation>
+        <translation>ノイズが泡と波頭に。光の筋は回転する明るい色です。</translation>
     </message>
     <message>
         <source>Koi pond</source>
@@ -1773,7 +1773,7 @@
     </message>
     <message>
         <source>A still camera; the arrow rides on the bob and is drawn anew twelve times a swing.</source>
-        <translation>静止したカメラ。矢印はおもりに乗り、1 往復に 12 回描き直されます。</translation>
+        <translation>静止したカメラ。矢印は 1 往復に 12 回描き直されます。</translation>
     </message>
     <message>
         <source>Chalk in the yard</source>
@@ -1797,7 +1797,7 @@
     </message>
     <message>
         <source>The camera only turns: birds fly by keyframes, one of them behind the house.</source>
-        <translation>カメラは回るだけ。鳥はキーフレームで飛び、1 羽は家の後ろを通ります。</translation>
+        <translation>カメラは回るだけ。鳥の 1 羽は家の後ろを通ります。</translation>
     </message>
 </context>
 <context>
