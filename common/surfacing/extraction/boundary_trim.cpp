@@ -102,7 +102,8 @@ Result<TrimmedProxy> trimmed(const TriangleMesh &proxy, const MeshTopology &topo
         std::vector<char> isBeyond = t.outside;
         for (std::size_t v = 0; v < isBeyond.size(); ++v)
             isBeyond[v] = isBeyond[v] || (*side)[v] == 1;
-        strokeIsBorder = strokesAlongBorder(topology, association, strokes, isBeyond, options.borderStrokes);
+        strokeIsBorder =
+            strokesAlongBorder(proxy, topology, association, strokes, isBeyond, options.borderStrokes);
         if (any(strokeIsBorder)) {
             t = terminals(topology, association, strokeIsBorder, inPlane, options);
             side = shortestCut(proxy, topology, t, options, control);

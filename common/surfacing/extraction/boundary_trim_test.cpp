@@ -55,7 +55,9 @@ struct Scene
     }
     Result<TrimmedProxy> trim(const std::vector<char> &inPlane = {}, const JobControl &control = {}) const
     {
-        return trimmed(mesh, topology, association, strokes, inPlane, {}, control);
+        BoundaryTrimOptions options;
+        options.borderStrokes.reach *= std::sqrt(2.0); // the grid is 1 wide, not its diagonal
+        return trimmed(mesh, topology, association, strokes, inPlane, options, control);
     }
 };
 
@@ -79,6 +81,7 @@ private slots:
     void cutsAlongTheBoundaryStroke();
     void unmarkedSketchKeepsWhatItsStrokesEnclose();
     void unmarkedSketchEndsAtItsOutline();
+    void unmarkedSketchEndsAtItsOutlineThoughStrokesStickOut();
     void closedProxyIsUnchanged();
     void bordersInTheSymmetryPlaneAreKept();
     void nothingInsideIsRefused();
@@ -145,6 +148,23 @@ void BoundaryTrimTest::unmarkedSketchEndsAtItsOutline()
     QVERIFY2(borderOffCircle(inside->mesh, 0.35) < 1.0 / cells,
              qPrintable(QString::number(borderOffCircle(inside->mesh, 0.35))));
     QVERIFY(std::abs(surfaceArea(inside->mesh) / (std::numbers::pi * 0.35 * 0.35) - 1.0) < 0.03);
+}
+
+void BoundaryTrimTest::unmarkedSketchEndsAtItsOutlineThoughStrokesStickOut()
+{
+    // As a mouse's sides beyond its rim: the first cut spans from one end to the next, off the outline.
+    std::vector<Stroke> strokes{arc(0.35, 0.1, 2.0), arc(0.35, 2.1, 4.1), arc(0.35, 4.2, 6.3)};
+    for (int k = 0; k < 10; ++k)
+        strokes.push_back(ray(std::numbers::pi * k / 5, 0.25, 0.39));
+    const Scene scene(strokes, zoo::grid(3 * cells));
+    const auto inside = scene.trim();
+    QVERIFY(inside.ok());
+    std::vector<int> border;
+    for (const Stroke &stroke : inside->borderStrokes.strokes)
+        border.push_back(stroke.id.value);
+    QCOMPARE(border, (std::vector<int>{0, 1, 2}));
+    QVERIFY2(borderOffCircle(inside->mesh, 0.35) < 1.0 / cells,
+             qPrintable(QString::number(borderOffCircle(inside->mesh, 0.35))));
 }
 
 void BoundaryTrimTest::closedProxyIsUnchanged()
