@@ -1,5 +1,6 @@
 #include "surfacing/extraction/boundary_trim.h"
 
+#include "geometry/hole_filling.h"
 #include "numeric/alpha_expansion.h"
 #include "surfacing/extraction/seam_insertion.h"
 
@@ -15,9 +16,21 @@ struct Terminals
     std::vector<char> edgeIsBoundary; // crossed by a boundary stroke
 };
 
+// Vertices of the proxy's border; without loops shorter than \a holeShare of the longest.
+std::vector<char> rimOf(const TriangleMesh &proxy, double holeShare)
+{
+    std::vector<char> isRim(proxy.vertices.size(), 0);
+    const std::vector<std::vector<int>> loops = borderLoops(proxy);
+    for (const std::vector<int> &loop : loops)
+        if (loopLength(proxy, loop) >= holeShare * loopLength(proxy, loops.front()))
+            for (const int v : loop)
+                isRim[std::size_t(v)] = 1;
+    return isRim;
+}
+
 Terminals terminals(const MeshTopology &topology, const Association &association,
-                    const std::vector<char> &strokeIsBorder, const std::vector<char> &inPlane,
-                    const BoundaryTrimOptions &options)
+                    const std::vector<char> &isRim, const std::vector<char> &strokeIsBorder,
+                    const std::vector<char> &inPlane, const BoundaryTrimOptions &options)
 {
     Terminals t;
     const std::size_t vertexCount = association.pointsOfVertex.size();
@@ -35,7 +48,7 @@ Terminals terminals(const MeshTopology &topology, const Association &association
     t.inside.assign(vertexCount, 0);
     for (std::size_t v = 0; v < vertexCount; ++v)
         t.inside[v] = !association.pointsOfVertex[v].empty() && !nearBoundary[v];
-    t.outside = topology.borderVertices();
+    t.outside = isRim;
     for (std::size_t v = 0; v < vertexCount; ++v)
         t.outside[v] = t.outside[v] && !t.inside[v] && (inPlane.empty() || !inPlane[v]);
     return t;
@@ -92,7 +105,8 @@ Result<TrimmedProxy> trimmed(const TriangleMesh &proxy, const MeshTopology &topo
                              const JobControl &control)
 {
     std::vector<char> strokeIsBorder = strokesMarkedBoundary(strokes);
-    Terminals t = terminals(topology, association, strokeIsBorder, inPlane, options);
+    const std::vector<char> isRim = rimOf(proxy, any(strokeIsBorder) ? 0.0 : options.holeShare);
+    Terminals t = terminals(topology, association, isRim, strokeIsBorder, inPlane, options);
     if (!any(t.outside))
         return TrimmedProxy{proxy, {}};
     Result<std::vector<int>> side = shortestCut(proxy, topology, t, options, control);
@@ -105,7 +119,7 @@ Result<TrimmedProxy> trimmed(const TriangleMesh &proxy, const MeshTopology &topo
         strokeIsBorder =
             strokesAlongBorder(proxy, topology, association, strokes, isBeyond, options.borderStrokes);
         if (any(strokeIsBorder)) {
-            t = terminals(topology, association, strokeIsBorder, inPlane, options);
+            t = terminals(topology, association, isRim, strokeIsBorder, inPlane, options);
             side = shortestCut(proxy, topology, t, options, control);
             if (!side)
                 return side.error();

@@ -19,6 +19,8 @@ struct BoundaryTrimOptions
     double crossedByBoundary = 1e-3; // cost of cutting an edge a boundary stroke crosses (the thesis: 0)
     int clearanceRings = 4; // vertices this far from boundary strokes that have stroke points are inside
     BorderStrokeOptions borderStrokes; // used where none is marked
+    double holeShare = 0.5; // there, shorter loops than this share of the proxy's longest are holes between
+                            // strokes: nothing is cut off towards them
 };
 
 struct TrimmedProxy
