@@ -237,7 +237,7 @@ void SketchToFilmTest::theFilmShowsThePaintingBehindWhatIsNear()
             if (alone[0].at(x, y)[3] == 0)
                 QCOMPARE(images[0].at(x, y), before.at(x, y));
         }
-    QVERIFY2(blue > 500, QByteArray::number(blue));
+    QVERIFY2(blue > 500, QByteArray::number(blue).constData());
     QVERIFY(hidden > 0);
 }
 
@@ -296,8 +296,8 @@ void SketchToFilmTest::aChangedSketchIsOfferedAndChangesTheFilm()
                 if (isDifferent)
                     QVERIFY(maskBefore[i].at(x, y)[3] > 0 || maskAfter[i].at(x, y)[3] > 0);
             }
-    QVERIFY2(changed > 400, QByteArray::number(changed));
-    QVERIFY2(blue > 1000, QByteArray::number(blue));
+    QVERIFY2(changed > 400, QByteArray::number(changed).constData());
+    QVERIFY2(blue > 1000, QByteArray::number(blue).constData());
 }
 
 QTEST_GUILESS_MAIN(SketchToFilmTest)
