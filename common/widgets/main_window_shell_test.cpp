@@ -53,6 +53,18 @@ void answer(const QString &word, bool &wasAsked)
     });
 }
 
+class LayoutRequests : public QObject
+{
+public:
+    int count = 0;
+
+    bool eventFilter(QObject *, QEvent *event) override
+    {
+        count += event->type() == QEvent::LayoutRequest;
+        return false;
+    }
+};
+
 } // namespace
 
 class MainWindowShellTest : public QObject
@@ -69,6 +81,7 @@ private slots:
     void theWindowComesBackWhereItWas();
     void themeChangesAtOnce();
     void narrowRowsFoldTheirMenus();
+    void narrowRowsComeToRest();
     void errorsAreShownCancelsAreNot();
     void everythingIsReachedByKeyboard();
 };
@@ -262,6 +275,23 @@ void MainWindowShellTest::narrowRowsFoldTheirMenus()
     row->resize(520, row->height());
     QVERIFY(row->menusAreFolded());
     QVERIFY(centre->geometry().right() < 520);
+}
+
+void MainWindowShellTest::narrowRowsComeToRest()
+{
+    Setup setup;
+    MainWindowShell window(identity, setup.services());
+    window.show();
+    auto *row = window.findChild<TopRow *>();
+    LayoutRequests requests;
+    row->installEventFilter(&requests);
+    for (int width = 200; width <= 1000; width += 20) {
+        row->resize(width, row->height());
+        requests.count = 0;
+        for (int round = 0; round < 50; ++round)
+            QCoreApplication::sendPostedEvents();
+        QVERIFY2(requests.count < 10, qPrintable(QStringLiteral("%1 at %2").arg(requests.count).arg(width)));
+    }
 }
 
 void MainWindowShellTest::errorsAreShownCancelsAreNot()

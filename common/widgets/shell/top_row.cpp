@@ -46,6 +46,8 @@ TopRow::TopRow(QWidget *parent)
     mSearch->setIcon(icon(QStringLiteral("edit-find")));
     mSearch->setIconSize({16, 16});
     mSearch->setObjectName(QStringLiteral("searchField"));
+    mSearch->setText(tr("Search actions"));
+    mSearch->setFixedWidth(searchWidth);
     mHelp->setIcon(icon(QStringLiteral("help")));
     mHelp->setIconSize({16, 16});
     mHelp->setFixedSize(28, 28);
@@ -109,26 +111,23 @@ void TopRow::arrange()
     const QSize centre = mCentre ? mCentre->sizeHint().expandedTo(mCentre->minimumSize()) : QSize();
     const int centreWidth = mCentre && mIsCentreVisible ? centre.width() : 0;
     const int menuWidth = mMenuBar->sizeHint().width();
-    const auto setSearchWide = [&](bool wide) {
-        mSearch->setText(wide ? tr("Search actions") : QString());
-        mSearch->setFixedWidth(wide ? searchWidth : narrowSearchWidth);
-        mRightLayout->invalidate();
-        return mRight->sizeHint().width();
+    // Tried without touching the search: each change asks for a layout, so that a row whose search stays
+    // narrow would never come to rest.
+    const int besideSearch = mRight->sizeHint().width() - mSearch->minimumWidth();
+    const auto rightWidthWith = [&](bool wide) {
+        return besideSearch + (wide ? searchWidth : narrowSearchWidth);
+    };
+    const auto fits = [&](int left, bool wide) {
+        return margin + left + gap + centreWidth + gap + rightWidthWith(wide) + margin <= width();
     };
     const int button = 28 + 4;
-    int rightWidth = setSearchWide(true);
-    const auto fits = [&](int left) {
-        return margin + left + gap + centreWidth + gap + rightWidth + margin <= width();
-    };
-    mIsFolded = false;
-    if (!fits(menuWidth)) {
-        rightWidth = setSearchWide(false);
-        if (!fits(menuWidth)) {
-            mIsFolded = true;
-            rightWidth = setSearchWide(true);
-            if (!fits(button))
-                rightWidth = setSearchWide(false);
-        }
+    mIsFolded = !fits(menuWidth, true) && !fits(menuWidth, false);
+    const bool isSearchWide = fits(mIsFolded ? button : menuWidth, true);
+    const int rightWidth = rightWidthWith(isSearchWide);
+    if (mSearch->minimumWidth() != (isSearchWide ? searchWidth : narrowSearchWidth)) {
+        mSearch->setText(isSearchWide ? tr("Search actions") : QString());
+        mSearch->setFixedWidth(isSearchWide ? searchWidth : narrowSearchWidth);
+        mRightLayout->invalidate();
     }
     mMenuButton->setVisible(mIsFolded);
     mMenuBar->setVisible(!mIsFolded);
