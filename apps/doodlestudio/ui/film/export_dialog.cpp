@@ -17,6 +17,9 @@
 #include <QUrl>
 #include <QVBoxLayout>
 
+#include <memory>
+#include <optional>
+
 namespace ductus {
 
 namespace {
@@ -230,18 +233,26 @@ void ExportDialog::start()
         return;
     const FilmExport what = exportOf(ExportPreset(mPresets->checkedId()), mSound->isChecked());
     const QString target = path();
+    // A cancel that comes while the last bytes are written is too late: the film is there, and is told of.
+    const auto written = std::make_shared<std::optional<ExportReport>>();
     mJob = mRunner.start<ExportReport>(
         {QStringLiteral("export"), tr("Exporting %1").arg(QFileInfo(target).fileName())}, this,
         [clipPath = enginePath(mDocument.clipPath()), shot = mDocument.sceneShot(),
-         scene = mDocument.sharedScene(), what,
+         scene = mDocument.sharedScene(), what, written,
          to = enginePath(target)](const JobControl &control) -> Result<ExportReport> {
             // A clip of its own: the player's is in use.
             Result<std::unique_ptr<Clip>> clip = openClip(clipPath, control.part(0.0, 0.03));
             if (!clip)
                 return clip.error();
-            return exportFilm(**clip, clipPath, *shot, *scene, what, to, control.part(0.03, 1.0));
+            Result<ExportReport> report =
+                exportFilm(**clip, clipPath, *shot, *scene, what, to, control.part(0.03, 1.0));
+            if (report)
+                *written = *report;
+            return report;
         },
-        [this, target](Result<ExportReport> report) { finish(target, std::move(report)); });
+        [this, target, written](Result<ExportReport> report) {
+            finish(target, *written ? Result<ExportReport>(**written) : std::move(report));
+        });
     showRunning(true);
 }
 

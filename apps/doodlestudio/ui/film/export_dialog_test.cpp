@@ -106,8 +106,12 @@ void ExportDialogTest::cancellingLeavesWhatWasThere()
     QCOMPARE(button("startExport")->text(), QStringLiteral("Cancel"));
     click("startExport");
     QVERIFY(QTest::qWaitFor([&] { return !mDialog->isExporting(); }, 60'000));
+    if (QFileInfo::exists(path)) { // the cancel came too late, which is said
+        QVERIFY2(status().startsWith("Done: cancelled.mp4"), qPrintable(status()));
+        QVERIFY(QFile::remove(path));
+        return;
+    }
     QCOMPARE(status(), QStringLiteral("Cancelled; nothing was written."));
-    QVERIFY(!QFileInfo::exists(path));
     QVERIFY(QDir(mApp->folder.path()).entryList({"*cancelled*"}, QDir::Files | QDir::Hidden).isEmpty());
     QVERIFY(!button("showInFolder")->isVisible());
 }
