@@ -59,8 +59,8 @@ bool FilmPreview::isNeeded() const
 {
     const auto &canvases = mState.document().scene().canvases;
     return std::any_of(canvases.begin(), canvases.end(), [](const Canvas &canvas) {
-        return std::any_of(canvas.doodle.frames.begin(), canvas.doodle.frames.end(),
-                           [](const DoodleFrame &frame) { return !frame.marks.empty(); });
+        return canvas.prop || std::any_of(canvas.doodle.frames.begin(), canvas.doodle.frames.end(),
+                                          [](const DoodleFrame &frame) { return !frame.marks.empty(); });
     });
 }
 
