@@ -18,17 +18,18 @@ readonly MIRROR=${DUCTUS_MIRROR:-http://deb.debian.org/debian}
 readonly TOOLS="xvfb xauth xdg-utils imagemagick libglib2.0-bin file procps ca-certificates man-db"
 
 checks=0 failures=0
+scratch=$(mktemp -d) # what a check says, and lists of files
 # check WORDS COMMAND...
 check() {
     local words=$1
     shift
     checks=$((checks + 1))
-    if "$@" >/tmp/check_package.$$ 2>&1; then
+    if "$@" >"$scratch/said" 2>&1; then
         printf 'ok      %s\n' "$words"
     else
         failures=$((failures + 1))
         printf 'FAILED  %s\n' "$words"
-        sed 's/^/        /' /tmp/check_package.$$ | tail -n 20
+        sed 's/^/        /' "$scratch/said" | tail -n 20
     fi
 }
 inside() { chroot "$root" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/home/tester LANG=C.UTF-8 \
@@ -47,7 +48,7 @@ cp /etc/resolv.conf "$root/etc/resolv.conf"
 mountpoint -q "$root/proc" || mount -t proc proc "$root/proc" || fail "cannot mount proc in $root"
 mountpoint -q "$root/dev" || mount --rbind /dev "$root/dev" || fail "cannot mount dev in $root"
 mount --make-rslave "$root/dev"
-trap 'umount -l "$root/dev" "$root/proc"; rm -f /tmp/check_package.$$' EXIT
+trap 'umount -l "$root/dev" "$root/proc"; rm -rf "$scratch"' EXIT
 mkdir -p "$root/home/tester" "$root/run/tester" && chmod 700 "$root/run/tester"
 cp "$deb" "$root/home/tester/ductus.deb"
 
@@ -70,14 +71,14 @@ files_of_system() {
 caches_of_system() {
     (cd "$root" && find usr/share/mime usr/share/applications -type f -print0 | sort -z | xargs -0 sha256sum)
 }
-before=$(mktemp) after=$(mktemp) caches=$(mktemp)
+before=$scratch/before after=$scratch/after caches=$scratch/caches
 files_of_system >"$before"
 caches_of_system >"$caches"
 
 # ---- installed -------------------------------------------------------------------------------------------------
 
 check "the package installs" inside dpkg -i /home/tester/ductus.deb
-inside dpkg -L ductus >/tmp/check_package_files.$$
+inside dpkg -L ductus >"$scratch/files"
 check "its programs are in PATH" inside sh -c 'for p in sketchsurfacer layerpainter doodlestudio ductus; do
     command -v $p && $p --version || exit 1; done'
 for program in sketchsurfacer layerpainter doodlestudio ductus; do
@@ -161,7 +162,6 @@ files_of_system >"$after"
 check "no file is left or lost" diff "$before" "$after"
 check "the caches are as before" sh -c "cd $root && sha256sum --quiet -c $caches"
 check "the type is unknown again" says application/zip inside gio info -a standard::content-type $home/nameless
-rm -f "$before" "$after" "$caches" /tmp/check_package_files.$$
 
 [ "$failures" -eq 0 ] || { printf '%d of %d checks failed.\n' "$failures" "$checks"; exit 1; }
 printf 'All %d checks passed.\n' "$checks"
