@@ -1,14 +1,12 @@
 #include "doodlestudio/cli/update_command.h"
 
-#include "cli/batch_command.h"
+#include "cli/link_report.h"
 #include "cli/project_output.h"
 #include "doodlestudio/cli/open_doodle.h"
 #include "doodling/prop/prop_link.h"
 #include "project/project_reader.h"
 
 #include <algorithm>
-#include <cstdio>
-#include <nlohmann/json.hpp>
 
 namespace ductus {
 
@@ -16,39 +14,11 @@ namespace {
 
 constexpr char updating[] = "Updating the paintings";
 
-const char *stateOf(const PropLink &link)
+std::vector<LinkLine> linesOf(const std::vector<PropLink> &links)
 {
-    return link.update ? "changed" : link.problem ? "unknown" : "unchanged";
-}
-
-nlohmann::ordered_json reportOf(const std::vector<PropLink> &links, bool isUpdated)
-{
-    nlohmann::ordered_json report = {{"schema", "link-report"},
-                                     {"version", 1},
-                                     {"updated", isUpdated},
-                                     {"links", nlohmann::json::array()}};
-    for (const PropLink &link : links) {
-        nlohmann::ordered_json one = {{"name", link.link.name},
-                                      {"file", link.link.file},
-                                      {"document", link.link.document.text()},
-                                      {"canvas", link.canvas.value},
-                                      {"state", stateOf(link)}};
-        if (link.problem)
-            one["problem"] = link.problem->message();
-        report["links"].push_back(std::move(one));
-    }
-    return report;
-}
-
-std::string linesOf(const std::vector<PropLink> &links, bool isUpdated)
-{
-    if (links.empty())
-        return "No painting stands in this scene.\n";
-    std::string lines;
+    std::vector<LinkLine> lines;
     for (const PropLink &link : links)
-        lines += "\"" + link.link.name + "\"" + (link.link.file.empty() ? "" : " of " + link.link.file) +
-                 ": " + stateOf(link) + (link.update && isUpdated ? ", updated" : "") +
-                 (link.problem ? " (" + link.problem->problem + ")" : "") + "\n";
+        lines.push_back({link.link, link.update != nullptr, link.problem, "canvas", int(link.canvas.value)});
     return lines;
 }
 
@@ -61,19 +31,13 @@ ExitCode runUpdatePropsCommand(const QStringList &arguments)
         QStringLiteral(
             "Looks whether the paintings that stand in a filmed scene have changed and takes them as "
             "they are now. Where they stand and their look stay."));
-    const QCommandLineOption output({QStringLiteral("o"), QStringLiteral("output")},
-                                    QStringLiteral("The project to write; without it P.ductus itself."),
-                                    QStringLiteral("OUT.ductus"));
-    const QCommandLineOption check(QStringLiteral("check"),
-                                   QStringLiteral("Only says what has changed and writes nothing."));
-    const QCommandLineOption json(QStringLiteral("json"), QStringLiteral("Says it as JSON."));
+    const UpdateOptions options;
     parser.addPositional(QStringLiteral("P.ductus"), QStringLiteral("The project with the filmed scene."));
-    for (const QCommandLineOption &option : {output, check, json})
-        parser.addOption(option);
+    options.addTo(parser);
     if (const std::optional<ExitCode> end = parser.parse(arguments, 1, 1))
         return *end;
     const std::filesystem::path input = parser.positionalPath(0);
-    const std::filesystem::path target = parser.isSet(output) ? parser.path(output) : input;
+    const std::filesystem::path target = parser.isSet(options.output) ? parser.path(options.output) : input;
     if (!hasExtension(target, ".ductus"))
         return parser.wrongUsage(QStringLiteral("the project must end in .ductus"));
     TerminalJob job(parser.isQuiet());
@@ -81,14 +45,14 @@ ExitCode runUpdatePropsCommand(const QStringList &arguments)
     if (!doodle)
         return failed(job, doodle.error());
     const DoodleContent &content = *doodle->content;
-    ProjectReadOptions options;
-    options.kinds = {paintingKind()};
-    LinkSources sources(doodle->project, std::filesystem::absolute(input), options);
+    ProjectReadOptions paintings;
+    paintings.kinds = {paintingKind()};
+    LinkSources sources(doodle->project, std::filesystem::absolute(input), paintings);
     const std::vector<PropLink> links = propLinks(*content.scene(), sources);
-    const bool updates = !parser.isSet(check) && std::ranges::any_of(links, [](const PropLink &link) {
+    const bool updates = !parser.isSet(options.check) && std::ranges::any_of(links, [](const PropLink &link) {
         return link.update != nullptr;
     });
-    if (updates || (parser.isSet(output) && !parser.isSet(check))) {
+    if (updates || (parser.isSet(options.output) && !parser.isSet(options.check))) {
         Project changed = doodle->project;
         if (updates)
             for (ProjectDocument &document : changed.documents)
@@ -101,9 +65,7 @@ ExitCode runUpdatePropsCommand(const QStringList &arguments)
             return failed(job, saved.error());
     }
     job.finishLine();
-    const std::string text =
-        parser.isSet(json) ? reportOf(links, updates).dump(2) + "\n" : linesOf(links, updates);
-    std::fputs(text.c_str(), stdout);
+    printLinks(linesOf(links), updates, parser.isSet(options.json), "No painting stands in this scene.");
     return ExitCode::Done;
 }
 

@@ -1,15 +1,12 @@
 #include "layerpainter/cli/update_command.h"
 
 #include "base/error_place.h"
-#include "cli/batch_command.h"
+#include "cli/link_report.h"
 #include "cli/project_output.h"
 #include "document/document_files.h"
 #include "layerpainter/document/painting_project.h"
 #include "painting/action/action.h"
 #include "painting/link/surface_link.h"
-
-#include <cstdio>
-#include <nlohmann/json.hpp>
 
 namespace ductus {
 
@@ -24,40 +21,11 @@ struct UpdateArguments
     bool asJson = false;
 };
 
-const char *stateOf(const SurfaceLink &link)
+std::vector<LinkLine> linesOf(const std::vector<SurfaceLink> &links)
 {
-    return link.isOutdated() ? "changed" : link.problem ? "unknown" : "unchanged";
-}
-
-nlohmann::ordered_json reportOf(const std::vector<SurfaceLink> &links, bool isUpdated)
-{
-    nlohmann::ordered_json report = {{"schema", "link-report"},
-                                     {"version", 1},
-                                     {"updated", isUpdated},
-                                     {"links", nlohmann::json::array()}};
-    for (const SurfaceLink &link : links) {
-        nlohmann::ordered_json one = {{"name", link.link.name},
-                                      {"file", link.link.file},
-                                      {"document", link.link.document.text()},
-                                      {"elements", link.elements.size()},
-                                      {"state", stateOf(link)}};
-        if (link.problem)
-            one["problem"] = link.problem->message();
-        report["links"].push_back(std::move(one));
-    }
-    return report;
-}
-
-std::string linesOf(const std::vector<SurfaceLink> &links, bool isUpdated)
-{
-    if (links.empty())
-        return "No surface is linked to a sketch.\n";
-    std::string lines;
-    for (const SurfaceLink &link : links) {
-        lines += "\"" + link.link.name + "\"" + (link.link.file.empty() ? "" : " of " + link.link.file) +
-                 ": " + stateOf(link) + (link.isOutdated() && isUpdated ? ", updated" : "");
-        lines += (link.problem ? " (" + link.problem->problem + ")" : "") + "\n";
-    }
+    std::vector<LinkLine> lines;
+    for (const SurfaceLink &link : links)
+        lines.push_back({link.link, link.isOutdated(), link.problem, "elements", int(link.elements.size())});
     return lines;
 }
 
@@ -92,8 +60,7 @@ ExitCode run(const UpdateArguments &a, TerminalJob &job)
             return failed(job, written.error());
     }
     job.finishLine();
-    const std::string text = a.asJson ? reportOf(links, updates).dump(2) + "\n" : linesOf(links, updates);
-    std::fputs(text.c_str(), stdout);
+    printLinks(linesOf(links), updates, a.asJson, "No surface is linked to a sketch.");
     return ExitCode::Done;
 }
 
@@ -105,19 +72,13 @@ ExitCode runUpdateCommand(const QStringList &arguments)
         QStringLiteral("update"),
         QStringLiteral("Looks whether the sketches a painting's surfaces were made from have changed and "
                        "takes the new surfaces. Layers, strokes, masks and looks stay as they are."));
-    const QCommandLineOption output({QStringLiteral("o"), QStringLiteral("output")},
-                                    QStringLiteral("The project to write; without it P.ductus itself."),
-                                    QStringLiteral("OUT.ductus"));
-    const QCommandLineOption check(QStringLiteral("check"),
-                                   QStringLiteral("Only says what has changed and writes nothing."));
-    const QCommandLineOption json(QStringLiteral("json"), QStringLiteral("Says it as JSON."));
+    const UpdateOptions options;
     parser.addPositional(QStringLiteral("P.ductus"), QStringLiteral("The project with the painting."));
-    for (const QCommandLineOption &option : {output, check, json})
-        parser.addOption(option);
+    options.addTo(parser);
     if (const std::optional<ExitCode> end = parser.parse(arguments, 1, 1))
         return *end;
-    const UpdateArguments a{parser.positionalPath(0), parser.path(output), parser.isSet(check),
-                            parser.isSet(json)};
+    const UpdateArguments a{parser.positionalPath(0), parser.path(options.output),
+                            parser.isSet(options.check), parser.isSet(options.json)};
     if (!a.output.empty() && !hasExtension(a.output, ".ductus"))
         return parser.wrongUsage(QStringLiteral("the project must end in .ductus"));
     TerminalJob job(parser.isQuiet());
