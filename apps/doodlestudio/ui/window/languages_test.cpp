@@ -2,7 +2,6 @@
 // everything within reach of the keyboard, with a name.
 #include "doodlestudio/ui/film/export_dialog.h"
 #include "doodlestudio/ui/testing/studio_under_test.h"
-#include "widgets/pages/settings_dialog.h"
 #include "widgets/testing/language_check.h"
 
 using namespace ductus;
@@ -26,7 +25,7 @@ private:
 namespace {
 
 /// The window as it is at the start, at work, and its dialogs, one after the other.
-void visitAll(StudioUnderTest &app, const std::function<void(QWidget &, const char *)> &visit)
+void visitAll(StudioUnderTest &app, const Visit &visit)
 {
     QVERIFY(QTest::qWaitForWindowExposed(app.window.get()));
     visit(*app.window, "start");
@@ -37,16 +36,8 @@ void visitAll(StudioUnderTest &app, const std::function<void(QWidget &, const ch
     film.show();
     visit(film, "export");
     film.close();
-    app.actions.action(QStringLiteral("edit.settings"))->trigger();
-    auto *settings = app.window->findChild<SettingsDialog *>();
-    QVERIFY(settings);
-    QVERIFY(QTest::qWaitForWindowExposed(settings));
-    for (int page = 0; page < settings->pageCount(); ++page) {
-        settings->showPage(page);
-        QTest::qWait(0); // the page is laid out
-        visit(*settings, qPrintable(QStringLiteral("settings-%1").arg(page)));
-    }
-    settings->close();
+    visitSettings(
+        *app.window, [&] { app.actions.action(QStringLiteral("edit.settings"))->trigger(); }, visit);
 }
 
 } // namespace
@@ -59,42 +50,17 @@ void LanguagesTest::initTestCase()
 void LanguagesTest::fitsEveryLanguage()
 {
     QFETCH(QString, code);
-    QVERIFY(speak(*qApp, code, QStringLiteral("doodlestudio")));
-    StudioUnderTest app;
-    QStringList wrong;
-    visitAll(app, [&](QWidget &shown, const char *name) {
-        keepPicture(shown, QStringLiteral("doodlestudio-%1-%2").arg(code, QLatin1String(name)));
-        const QString texts = wrongTexts(shown);
-        if (!texts.isEmpty())
-            wrong << QLatin1String(name) + QStringLiteral(":\n") + texts;
-    });
-    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QLatin1Char('\n'))));
+    QCOMPARE(wrongInLanguage<StudioUnderTest>(code, QStringLiteral("doodlestudio"), visitAll), QString());
 }
 
 void LanguagesTest::everyTextIsTranslated()
 {
-    MarkingTranslator marks;
-    QCoreApplication::installTranslator(&marks);
-    StudioUnderTest app;
-    QStringList plain;
-    visitAll(app, [&](QWidget &shown, const char *name) {
-        for (const QString &text : unmarkedTexts(shown, {"DoodleStudio", "LayerPainter"}))
-            plain << QLatin1String(name) + QStringLiteral(": ") + text;
-    });
-    QCoreApplication::removeTranslator(&marks);
-    plain.removeDuplicates();
-    QVERIFY2(plain.isEmpty(), qPrintable(plain.join(QLatin1Char('\n'))));
+    QCOMPARE(untranslated<StudioUnderTest>({"DoodleStudio", "LayerPainter"}, visitAll), QString());
 }
 
 void LanguagesTest::keysReachEverything()
 {
-    StudioUnderTest app;
-    QStringList wrong;
-    visitAll(app, [&](QWidget &shown, const char *name) {
-        for (const QString &problem : walkByKeyboard(shown).problems)
-            wrong << QLatin1String(name) + QStringLiteral(": ") + problem;
-    });
-    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QLatin1Char('\n'))));
+    QCOMPARE(outOfReach<StudioUnderTest>(visitAll), QString());
 }
 
 QTEST_MAIN(LanguagesTest)

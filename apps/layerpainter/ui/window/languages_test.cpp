@@ -3,7 +3,6 @@
 #include "layerpainter/ui/testing/painter_under_test.h"
 #include "layerpainter/ui/window/film_dialog.h"
 #include "layerpainter/ui/window/picture_dialog.h"
-#include "widgets/pages/settings_dialog.h"
 #include "widgets/testing/language_check.h"
 
 using namespace ductus;
@@ -27,7 +26,7 @@ private:
 namespace {
 
 /// The window as it is at the start, at work, and its dialogs, one after the other.
-void visitAll(PainterUnderTest &app, const std::function<void(QWidget &, const char *)> &visit)
+void visitAll(PainterUnderTest &app, const Visit &visit)
 {
     QVERIFY(QTest::qWaitForWindowExposed(app.window.get()));
     visit(*app.window, "start");
@@ -41,16 +40,8 @@ void visitAll(PainterUnderTest &app, const std::function<void(QWidget &, const c
     film.show();
     visit(film, "film");
     film.close();
-    app.actions.action(QStringLiteral("edit.settings"))->trigger();
-    auto *settings = app.window->findChild<SettingsDialog *>();
-    QVERIFY(settings);
-    QVERIFY(QTest::qWaitForWindowExposed(settings));
-    for (int page = 0; page < settings->pageCount(); ++page) {
-        settings->showPage(page);
-        QTest::qWait(0); // the page is laid out
-        visit(*settings, qPrintable(QStringLiteral("settings-%1").arg(page)));
-    }
-    settings->close();
+    visitSettings(
+        *app.window, [&] { app.actions.action(QStringLiteral("edit.settings"))->trigger(); }, visit);
 }
 
 } // namespace
@@ -63,43 +54,19 @@ void LanguagesTest::initTestCase()
 void LanguagesTest::fitsEveryLanguage()
 {
     QFETCH(QString, code);
-    QVERIFY(speak(*qApp, code, QStringLiteral("layerpainter")));
-    PainterUnderTest app;
-    QStringList wrong;
-    visitAll(app, [&](QWidget &shown, const char *name) {
-        keepPicture(shown, QStringLiteral("layerpainter-%1-%2").arg(code, QLatin1String(name)));
-        const QString texts = wrongTexts(shown);
-        if (!texts.isEmpty())
-            wrong << QLatin1String(name) + QStringLiteral(":\n") + texts;
-    });
-    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QLatin1Char('\n'))));
+    QCOMPARE(wrongInLanguage<PainterUnderTest>(code, QStringLiteral("layerpainter"), visitAll), QString());
 }
 
 void LanguagesTest::everyTextIsTranslated()
 {
-    MarkingTranslator marks;
-    QCoreApplication::installTranslator(&marks);
-    PainterUnderTest app;
-    QStringList plain;
-    visitAll(app, [&](QWidget &shown, const char *name) {
-        for (const QString &text :
-             unmarkedTexts(shown, {"LayerPainter", "SketchSurfacer", "DoodleStudio", "Noon", "Plane"}))
-            plain << QLatin1String(name) + QStringLiteral(": ") + text;
-    });
-    QCoreApplication::removeTranslator(&marks);
-    plain.removeDuplicates();
-    QVERIFY2(plain.isEmpty(), qPrintable(plain.join(QLatin1Char('\n'))));
+    QCOMPARE(untranslated<PainterUnderTest>(
+                 {"LayerPainter", "SketchSurfacer", "DoodleStudio", "Noon", "Plane"}, visitAll),
+             QString());
 }
 
 void LanguagesTest::keysReachEverything()
 {
-    PainterUnderTest app;
-    QStringList wrong;
-    visitAll(app, [&](QWidget &shown, const char *name) {
-        for (const QString &problem : walkByKeyboard(shown).problems)
-            wrong << QLatin1String(name) + QStringLiteral(": ") + problem;
-    });
-    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QLatin1Char('\n'))));
+    QCOMPARE(outOfReach<PainterUnderTest>(visitAll), QString());
 }
 
 QTEST_MAIN(LanguagesTest)

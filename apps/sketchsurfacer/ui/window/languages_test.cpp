@@ -1,7 +1,6 @@
 // SketchSurfacer in each of its languages: nothing cut off, no key taken twice, nothing left untranslated;
 // and everything within reach of the keyboard, with a name.
 #include "sketchsurfacer/ui/testing/app_under_test.h"
-#include "widgets/pages/settings_dialog.h"
 #include "widgets/testing/language_check.h"
 
 using namespace ductus;
@@ -25,22 +24,14 @@ private:
 namespace {
 
 /// The window as it is at the start, at work, and its dialogs, one after the other.
-void visitAll(App &app, const std::function<void(QWidget &, const char *)> &visit)
+void visitAll(App &app, const Visit &visit)
 {
     QVERIFY(QTest::qWaitForWindowExposed(app.window.get()));
     visit(*app.window, "start");
     QVERIFY(app.open("bevelled-box"));
     visit(*app.window, "sketch");
-    app.actions.action(QStringLiteral("edit.settings"))->trigger();
-    auto *settings = app.window->findChild<SettingsDialog *>();
-    QVERIFY(settings);
-    QVERIFY(QTest::qWaitForWindowExposed(settings));
-    for (int page = 0; page < settings->pageCount(); ++page) {
-        settings->showPage(page);
-        QTest::qWait(0); // the page is laid out
-        visit(*settings, qPrintable(QStringLiteral("settings-%1").arg(page)));
-    }
-    settings->close();
+    visitSettings(
+        *app.window, [&] { app.actions.action(QStringLiteral("edit.settings"))->trigger(); }, visit);
 }
 
 } // namespace
@@ -53,42 +44,17 @@ void LanguagesTest::initTestCase()
 void LanguagesTest::fitsEveryLanguage()
 {
     QFETCH(QString, code);
-    QVERIFY(speak(*qApp, code, QStringLiteral("sketchsurfacer")));
-    App app;
-    QStringList wrong;
-    visitAll(app, [&](QWidget &shown, const char *name) {
-        keepPicture(shown, QStringLiteral("sketchsurfacer-%1-%2").arg(code, QLatin1String(name)));
-        const QString texts = wrongTexts(shown);
-        if (!texts.isEmpty())
-            wrong << QLatin1String(name) + QStringLiteral(":\n") + texts;
-    });
-    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QLatin1Char('\n'))));
+    QCOMPARE(wrongInLanguage<App>(code, QStringLiteral("sketchsurfacer"), visitAll), QString());
 }
 
 void LanguagesTest::everyTextIsTranslated()
 {
-    MarkingTranslator marks;
-    QCoreApplication::installTranslator(&marks);
-    App app;
-    QStringList plain;
-    visitAll(app, [&](QWidget &shown, const char *name) {
-        for (const QString &text : unmarkedTexts(shown, {"SketchSurfacer", "LayerPainter"}))
-            plain << QLatin1String(name) + QStringLiteral(": ") + text;
-    });
-    QCoreApplication::removeTranslator(&marks);
-    plain.removeDuplicates();
-    QVERIFY2(plain.isEmpty(), qPrintable(plain.join(QLatin1Char('\n'))));
+    QCOMPARE(untranslated<App>({"SketchSurfacer", "LayerPainter"}, visitAll), QString());
 }
 
 void LanguagesTest::keysReachEverything()
 {
-    App app;
-    QStringList wrong;
-    visitAll(app, [&](QWidget &shown, const char *name) {
-        for (const QString &problem : walkByKeyboard(shown).problems)
-            wrong << QLatin1String(name) + QStringLiteral(": ") + problem;
-    });
-    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QLatin1Char('\n'))));
+    QCOMPARE(outOfReach<App>(visitAll), QString());
 }
 
 QTEST_MAIN(LanguagesTest)
