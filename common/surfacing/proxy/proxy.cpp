@@ -5,7 +5,7 @@
 #include "strokes/resample.h"
 #include "surfacing/proxy/least_squares_mesh.h"
 #include "surfacing/proxy/point_subset.h"
-#include "surfacing/proxy/rungs.h"
+#include "surfacing/proxy/rung_candidates.h"
 #include "surfacing/proxy/variational_fit.h"
 
 #include <algorithm>
@@ -49,63 +49,6 @@ Result<TriangleMesh> finished(const TriangleMesh &rough, const std::vector<Vec3>
     if (!mesh)
         return mesh;
     return remeshed(*mesh, {evenEdgeLength(*mesh, options.targetVertices), 1, 0.0}, control.part(0.8, 1.0));
-}
-
-// Looser wraps than \a wrap, evenly spread over the family, its neighbour first.
-std::vector<double> looserAlphas(const Wrap &wrap, const ProxyOptions &options)
-{
-    std::vector<double> looser;
-    for (const double alpha : options.wrap.alphas)
-        if (alpha > wrap.alpha)
-            looser.push_back(alpha);
-    std::sort(looser.begin(), looser.end());
-    const std::size_t step = (looser.size() + std::size_t(options.disorder.looserWraps) - 1) /
-                             std::size_t(options.disorder.looserWraps);
-    std::vector<double> some;
-    for (std::size_t i = step; step > 0 && i <= looser.size(); i += step)
-        some.push_back(looser[i - 1]);
-    return some;
-}
-
-struct Candidate
-{
-    ProxyGround ground;
-    Result<ProxyRung> rung;
-
-    bool isBetterThan(const Candidate &other) const
-    {
-        return rung && (!other.rung || rung->disorder < other.rung->disorder);
-    }
-};
-
-// A wrap that has fallen in between strokes far apart puts points of a surface inside the shape, and the
-// field turns inside out there: a solid's contour then runs out of the neighbourhood. A looser wrap holds it
-// where nothing is drawn.
-Candidate calmest(ProxyKind kind, const ProxyGround &ground, const StrokeSet &strokes,
-                  const std::vector<Vec3> &drawn, double lambda, const ProxyOptions &options,
-                  const JobControl &control)
-{
-    Candidate best{ground, makeRung(kind, ground, lambda, options, control)};
-    if (ground.isOpen || options.wrap.tightness >= 0.0 || options.disorder.looserWraps < 1)
-        return best;
-    for (const double alpha : looserAlphas(ground.wrap, options)) {
-        const bool isFarLooser = alpha > options.disorder.loosest * ground.wrap.alpha;
-        const double enough = isFarLooser ? options.disorder.hopeless : options.disorder.most;
-        if (control.isCancelled() || (best.rung && best.rung->disorder <= enough))
-            break;
-        WrapOptions looser = options.wrap;
-        looser.alphas = {alpha};
-        looser.tightness = 0.0;
-        Result<Wrap> wrap = wrapStrokes(drawn, looser, JobControl());
-        if (!wrap)
-            continue;
-        ProxyGround held = groundOn(std::move(*wrap), strokes, drawn, false, options);
-        Result<ProxyRung> rung = makeRung(kind, held, lambda, options, control);
-        Candidate candidate{std::move(held), std::move(rung)};
-        if (candidate.isBetterThan(best))
-            best = std::move(candidate);
-    }
-    return best;
 }
 
 } // namespace
@@ -167,8 +110,8 @@ Result<Proxy> makeProxy(const StrokeSet &strokes, const ProxyOptions &options, c
     if (!options.allowVariational || !lambda)
         attempts.clear();
     for (const Attempt &attempt : attempts) {
-        const Candidate best = calmest(attempt.kind, ground, strokes, drawn, attempt.smoothing * *lambda,
-                                       options, control.part(0.3, 0.7));
+        const RungCandidate best = calmest(attempt.kind, ground, strokes, drawn, attempt.smoothing * *lambda,
+                                           options, control.part(0.3, 0.7));
         Result<TriangleMesh> mesh =
             best.rung ? finished(best.rung->mesh, best.rung->targets, options, control.part(0.7, 1.0))
                       : best.rung.error();
@@ -183,7 +126,7 @@ Result<Proxy> makeProxy(const StrokeSet &strokes, const ProxyOptions &options, c
         proxy.isOpen = isOpen;
         proxy.alpha = best.ground.wrap.alpha;
         proxy.flatEnds = best.ground.flatEnds;
-        proxy.lambda = attempt.smoothing * *lambda;
+        proxy.lambda = best.lambda;
         return proxy;
     }
     Result<TriangleMesh> mesh = finished(ground.wrap.mesh, ground.points, options, control.part(0.7, 1.0));

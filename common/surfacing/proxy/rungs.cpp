@@ -1,6 +1,7 @@
 #include "surfacing/proxy/rungs.h"
 
 #include "base/parallel.h"
+#include "geometry/hole_filling.h"
 #include "geometry/mesh_topology.h"
 #include "surfacing/proxy/field_surface.h"
 #include "surfacing/proxy/local/local_fit.h"
@@ -22,12 +23,14 @@ std::vector<Vec3> ontoSurface(const std::vector<Vec3> &points, const LocalField 
     return result;
 }
 
-int tunnelsThrough(const TriangleMesh &closed)
+// The genus, of all components together.
+int tunnelsThrough(const TriangleMesh &mesh)
 {
-    const MeshTopology topology(closed);
+    const MeshTopology topology(mesh);
     int components = 0;
     triangleComponents(topology, &components);
-    return components - (closed.vertexCount() - int(topology.edges.size()) + closed.triangleCount()) / 2;
+    const int euler = mesh.vertexCount() - int(topology.edges.size()) + mesh.triangleCount();
+    return (2 * components - int(borderLoops(mesh).size()) - euler) / 2;
 }
 
 struct Contour
@@ -100,10 +103,11 @@ Result<ProxyRung> makeRung(ProxyKind kind, const ProxyGround &ground, double lam
             proxyFault(rung.mesh, ground.wrap.mesh, ground.points, options.quality))
         return Error{ErrorCode::NoSolution, "Making a proxy", *fault,
                      "Draw more strokes, or give a proxy mesh", ""};
+    // The wrap of a sheet is a thin double layer: its tunnels are the sheet's holes.
+    const int expected = ground.isOpen ? 0 : tunnelsThrough(ground.wrap.mesh);
+    rung.disorder = options.disorder.tunnel * std::max(0, tunnelsThrough(rung.mesh) - expected);
     if (!ground.isOpen)
-        rung.disorder = contour->surface.cappedShare +
-                        options.disorder.tunnel *
-                            std::max(0, tunnelsThrough(rung.mesh) - tunnelsThrough(ground.wrap.mesh));
+        rung.disorder += contour->surface.cappedShare;
     return rung;
 }
 

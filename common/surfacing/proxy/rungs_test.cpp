@@ -1,4 +1,4 @@
-#include "surfacing/proxy/rungs.h"
+#include "surfacing/proxy/rung_candidates.h"
 
 #include "geometry/convex_hull.h"
 #include "strokes/resample.h"
@@ -38,6 +38,35 @@ double shareOutsideHull(const TriangleMesh &mesh, const StrokeSet &strokes)
         return false;
     };
     return double(std::count_if(mesh.vertices.begin(), mesh.vertices.end(), isOutside)) / mesh.vertexCount();
+}
+
+Vec3 saddlePoint(double u, double v)
+{
+    return {0.8 * u, 0.2 * (u * u - v * v), 0.6 * v};
+}
+
+StrokeSet saddleNet()
+{
+    StrokeSet strokes;
+    for (int i = 0; i <= 6; ++i) {
+        Stroke along, across;
+        for (int j = 0; j <= 60; ++j) {
+            along.points.push_back(saddlePoint(i / 6.0 - 0.5, j / 60.0 - 0.5));
+            across.points.push_back(saddlePoint(j / 60.0 - 0.5, i / 6.0 - 0.5));
+        }
+        strokes.strokes.push_back(along);
+        strokes.strokes.push_back(across);
+    }
+    return strokes;
+}
+
+ProxyGround sheetGround(const StrokeSet &strokes)
+{
+    const ProxyOptions options;
+    Result<Wrap> wrap = wrapStrokes(strokes.allPoints(), options.wrap, {});
+    if (!wrap)
+        throw std::runtime_error(wrap.error().message());
+    return groundOn(std::move(*wrap), strokes, strokes.allPoints(), true, options);
 }
 
 } // namespace
@@ -84,28 +113,38 @@ private slots:
     // One field, but taken for a sheet: what ends with the neighbourhood is no fault there.
     void sheetsHaveNoDisorder()
     {
-        StrokeSet strokes;
-        std::vector<Vec3> drawn;
-        for (int i = 0; i <= 6; ++i) {
-            Stroke along, across;
-            for (int j = 0; j <= 60; ++j) {
-                const double u = i / 6.0 - 0.5, v = j / 60.0 - 0.5;
-                along.points.push_back({0.8 * u, 0.2 * (u * u - v * v), 0.6 * v});
-                across.points.push_back({0.8 * v, 0.2 * (v * v - u * u), 0.6 * u});
-            }
-            for (const Stroke &stroke : {along, across}) {
-                drawn.insert(drawn.end(), stroke.points.begin(), stroke.points.end());
-                strokes.strokes.push_back(stroke);
-            }
-        }
-        const ProxyOptions options;
-        Result<Wrap> wrap = wrapStrokes(drawn, options.wrap, {});
-        QVERIFY(wrap);
-        const ProxyGround ground = groundOn(std::move(*wrap), strokes, drawn, true, options);
-        QVERIFY(ground.flatEnds.empty());
-        const Result<ProxyRung> rung = makeRung(ProxyKind::Variational, ground, 1e-4, options, {});
+        const Result<ProxyRung> rung =
+            makeRung(ProxyKind::Variational, sheetGround(saddleNet()), 1e-4, ProxyOptions(), {});
         QVERIFY(rung);
         QCOMPARE(rung->disorder, 0.0);
+    }
+
+    // An end that was drawn again, by strokes that waver through the first ones: two walls, with tunnels.
+    void sheetDrawnTwiceIsOneSheet()
+    {
+        StrokeSet strokes = saddleNet();
+        for (int i = 0; i < 3; ++i) {
+            Stroke again;
+            for (int j = 0; j <= 60; ++j)
+                again.points.push_back(saddlePoint(0.5 - 0.07 * i, j / 60.0 - 0.5) +
+                                       Vec3(0, -0.03 * std::cos(0.21 * j), 0));
+            strokes.strokes.push_back(again);
+        }
+        const ProxyGround ground = sheetGround(strokes);
+        const double lambda = 1e-4;
+        const Result<ProxyRung> plain = makeRung(ProxyKind::Variational, ground, lambda, ProxyOptions(), {});
+        QVERIFY(plain);
+        QVERIFY(plain->disorder > 0.0);
+        const RungCandidate calm =
+            calmest(ProxyKind::Variational, ground, strokes, strokes.allPoints(), lambda, ProxyOptions(), {});
+        QVERIFY(calm.rung);
+        QVERIFY(calm.lambda > lambda);
+        QCOMPARE(calm.rung->disorder, 0.0);
+        ProxyOptions options;
+        options.disorder.sheetSmoothings.clear();
+        const RungCandidate rough =
+            calmest(ProxyKind::Variational, ground, strokes, strokes.allPoints(), lambda, options, {});
+        QVERIFY(rough.rung && rough.rung->disorder > 0.0);
     }
 };
 
