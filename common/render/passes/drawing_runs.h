@@ -13,7 +13,7 @@ struct DrawCommand
 {
     std::uint32_t indices = 36; // of a box, PaintingUpload's
     std::uint32_t instances = 0;
-    std::uint32_t firstIndex = 0;
+    std::uint32_t firstIndex = 0; // 36: of a card, with 6 indices
     std::int32_t baseVertex = 0;
     std::uint32_t firstInstance = 0;
 };

@@ -79,7 +79,8 @@ private:
         const bool oneSection = std::has_single_bit(mLayer.sections);
         const Result<const Program *> program =
             mFrame.programs.segments({mPass, mReach, oneSection ? std::countr_zero(mLayer.sections) : -1,
-                                      mLayer.uniformColour && mPass != Pass::Coverage, isPeeling});
+                                      mLayer.uniformColour && mPass != Pass::Coverage,
+                                      mLayer.uniformOpacity && mPass != Pass::Coverage, isPeeling});
         if (!program)
             return program.error();
         use(**program);

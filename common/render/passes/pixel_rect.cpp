@@ -30,7 +30,8 @@ std::optional<std::pair<double, double>> tangents(double x, double depth, double
 ScreenFinder::ScreenFinder(const FrameCamera &camera, int width, int height)
     : mCameraFromScene(camera.rotation.conjugate().toRotationMatrix()), mEye(camera.eye), mLeft(camera.left),
       mDown(camera.down), mPixelsPerTangentX(width / (camera.right - camera.left)),
-      mPixelsPerTangentY(height / (camera.up - camera.down)), mWidth(width), mHeight(height)
+      mPixelsPerTangentY(height / (camera.up - camera.down)), mWidth(width), mHeight(height),
+      mNearDepth(camera.nearDepth)
 {
 }
 
@@ -54,6 +55,13 @@ double ScreenFinder::pixels(const Vec3 &centre, double radius, double length) co
 {
     const double depth = (centre - mEye).norm() - radius;
     return depth > 0 ? length * std::max(mPixelsPerTangentX, mPixelsPerTangentY) / depth : infinity;
+}
+
+bool ScreenFinder::isFar(const Vec3 &centre, double radius) const
+{
+    // Boxes of segments reach beyond the ball, by less than its diameter.
+    const Vec3 at = mCameraFromScene * (centre - mEye);
+    return at.norm() > 4 * radius && -at[2] > mNearDepth + radius;
 }
 
 } // namespace ductus

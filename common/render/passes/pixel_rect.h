@@ -42,11 +42,15 @@ public:
     /// Pixels across a length of the scene at the ball's nearest point; infinity with the eye inside.
     double pixels(const Vec3 &centre, double radius, double length) const;
 
+    /// Whether the eye is so far outside that a card across the view may stand for a ball and what is in it.
+    bool isFar(const Vec3 &centre, double radius) const;
+
 private:
     Eigen::Matrix3d mCameraFromScene;
     Vec3 mEye;
     double mLeft, mDown, mPixelsPerTangentX, mPixelsPerTangentY;
     int mWidth, mHeight;
+    double mNearDepth;
 };
 
 } // namespace ductus

@@ -33,6 +33,8 @@ Result<const Program *> Programs::segments(const SegmentProgramKind &kind)
         defines.push_back("ONLY_SECTION " + std::to_string(kind.onlySection));
     if (kind.uniformColour)
         defines.push_back("UNIFORM_COLOUR");
+    if (kind.uniformOpacity)
+        defines.push_back("UNIFORM_OPACITY");
     if (kind.reach == Reach::Surface)
         defines.push_back("SURFACE_TOLERANCE");
     if (kind.reach == Reach::View)
@@ -42,6 +44,7 @@ Result<const Program *> Programs::segments(const SegmentProgramKind &kind)
     const std::vector<std::string_view> vertex{"view", "elements", "segment_vertex"};
     if (kind.pass != SegmentProgramKind::Pass::Substrate)
         return get(vertex, {"view", "surface_lookup", "order", "segment", "appearance_fragment"}, defines);
+    defines.push_back("SKIN_ONLY");
     if (!kind.peeling)
         return get(vertex, {"view", "segment", "substrate_fragment"}, defines);
     defines.push_back("PEELING");

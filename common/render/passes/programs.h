@@ -18,7 +18,7 @@ struct SegmentProgramKind
     Pass pass = Pass::Substrate;
     Reach reach = Reach::Inside;
     int onlySection = -1; // the one StrokeSection that occurs
-    bool uniformColour = false;
+    bool uniformColour = false, uniformOpacity = false;
     bool peeling = false;
 };
 

@@ -33,19 +33,18 @@ bool covers(vec3 x, vec3 direction)
 void main()
 {
     uvec2 found = FRAME_TEXEL(surfaces).xy;
-    if (!isColoured(found))
-        discard;
     vec3 direction = rayThrough(FRAGMENT_PLACE);
     vec3 x = uintBitsToFloat(found.y) * direction;
-    // Far from the axis nothing can cover; most of a box is.
-    if (!covers(x, direction))
-        discard;
+    bool isCovered = isColoured(found) && covers(x, direction);
 #ifdef COVERAGE_ONLY
+    if (!isCovered)
+        discard;
     outColour = vec4(1.0);
 #else
     vec4 colour = colourAt(parameter(x));
     colour.a *= share;
     outColour = vec4(colour.rgb * colour.a, colour.a);
-    gl_FragDepth = orderDepth(sElement.y * orderStep);
+    // Not by discard, with which software renderers blend every pixel of a box all the same: 1 is never GL_LESS.
+    gl_FragDepth = isCovered ? orderDepth(sElement.y * orderStep) : 1.0;
 #endif
 }

@@ -82,31 +82,64 @@ bool roundContains(vec3 x)
            (cosine2 > 0.0 && isBetween(y) && cosine2 * (pp - y * y) <= toMantle * toMantle);
 }
 
-// From the line's point nearest to the middle of a segment, so that cancellation loses no more than digits of its size.
-vec2 ball(float inverse, float dd, float pd, float pc)
+// A line from its point nearest to the middle of a segment, so that cancellation loses no more than digits of its size:
+// at is that point from the segment's middle, square to the direction.
+struct Line
 {
-    float discriminant = pd * pd - dd * pc, root = sqrt(max(discriminant, 0.0));
-    return discriminant < 0.0 ? vec2(far, -far) : vec2(-pd - root, root - pd) * inverse;
-}
+    float shift; // of that point along the line
+    vec3 at;
+    vec3 direction;
+    float dd, inverse; // squared length of the direction
+};
 
-vec2 roundInterval(vec3 origin, vec3 direction)
+Line lineNear(vec3 origin, vec3 direction)
 {
     float dd = dot(direction, direction), inverse = 1.0 / dd;
-    float shift = dot(0.5 * (sA.xyz + sB.xyz) - origin, direction) * inverse;
-    vec3 p = origin + shift * direction - sA.xyz, q = p + sA.xyz - sB.xyz;
-    float pp = dot(p, p), pd = dot(p, direction);
-    vec2 ballA = ball(inverse, dd, pd, pp - sA.w * sA.w);
-    vec2 ballB = ball(inverse, dd, dot(q, direction), dot(q, q) - sB.w * sB.w);
-    vec2 hits = vec2(min(ballA.x, ballB.x), max(ballA.y, ballB.y));
-    float y = dot(p, roundAxis), slope = dot(direction, roundAxis);
-    vec2 side = roots(cosine2 * dd - slope * slope, cosine2 * pd - y * slope + sA.w * sine * slope,
-                      cosine2 * pp - y * y + 2.0 * sA.w * sine * y - sA.w * sA.w);
+    vec3 toMiddle = 0.5 * (sA.xyz + sB.xyz) - origin;
+    float shift = dot(toMiddle, direction) * inverse;
+    return Line(shift, shift * direction - toMiddle, direction, dd, inverse);
+}
+
+// Without its shift.
+vec2 roundHits(Line line)
+{
+    float halfLength = 0.5 * roundLength, a = dot(line.at, roundAxis), slope = dot(line.direction, roundAxis);
+    float middle = dot(line.at, line.at) + halfLength * halfLength, turn = 2.0 * halfLength * a, pd = halfLength * slope, y = a + halfLength;
+    float discriminantA = pd * pd - line.dd * (middle + turn - sA.w * sA.w);
+    float discriminantB = pd * pd - line.dd * (middle - turn - sB.w * sB.w);
+    float rootA = sqrt(max(discriminantA, 0.0)), rootB = sqrt(max(discriminantB, 0.0));
+    vec2 hits = discriminantA < 0.0 ? vec2(far, -far) : vec2(-pd - rootA, rootA - pd) * line.inverse;
+    if (discriminantB >= 0.0)
+        hits = vec2(min(hits.x, (pd - rootB) * line.inverse), max(hits.y, (pd + rootB) * line.inverse));
+    vec2 side = roots(cosine2 * line.dd - slope * slope, cosine2 * pd + (sA.w * sine - y) * slope,
+                      cosine2 * (middle + turn) - y * y + 2.0 * sA.w * sine * y - sA.w * sA.w);
     bool any = cosine2 > 0.0 && side.x <= side.y;
     if (any && abs(side.x) < far && isBetween(y + side.x * slope))
         hits = vec2(min(hits.x, side.x), max(hits.y, side.x));
     if (any && abs(side.y) < far && isBetween(y + side.y * slope))
         hits = vec2(min(hits.x, side.y), max(hits.y, side.y));
-    return hits + shift;
+    return hits;
+}
+
+vec2 roundInterval(vec3 origin, vec3 direction)
+{
+    Line line = lineNear(origin, direction);
+    return roundHits(line) + line.shift;
+}
+
+// surface() of round segments, which have no caps but their balls.
+float roundSurface(vec3 origin, vec3 direction, float from)
+{
+    Line line = lineNear(origin, direction);
+    vec2 hits = roundHits(line);
+    vec3 halfAxis = 0.5 * (sB.xyz - sA.xyz);
+    vec2 behindA = vec2(dot(line.at + halfAxis, sClipA) + slack(), dot(direction, sClipA));
+    vec2 beforeB = vec2(slack() - dot(line.at - halfAxis, sClipB), -dot(direction, sClipB));
+    vec2 room = min(behindA.x + hits * behindA.y, beforeB.x + hits * beforeB.y);
+    from -= line.shift;
+    bool enters = hits.x >= from && hits.x > -far && room.x >= 0.0;
+    bool leaves = hits.y >= from && hits.y < far && room.y >= 0.0;
+    return enters ? hits.x + line.shift : leaves ? hits.y + line.shift : far;
 }
 
 // x: (tau, u, v / thickness)
@@ -233,6 +266,8 @@ float surface(vec3 origin, vec3 direction, float from)
         float s = hitRibbon(origin, direction);
         return s >= from ? s : far;
     }
+    if (SECTION == sectionRound)
+        return roundSurface(origin, direction, from);
     vec2 body = bodyInterval(origin, direction);
     float nearest = far;
     if (body.x > body.y)
@@ -274,7 +309,9 @@ float parameter(vec3 x)
 // Straight, in blend space.
 vec4 colourAt(float t)
 {
-#ifdef UNIFORM_COLOUR
+#if defined(UNIFORM_COLOUR) && defined(UNIFORM_OPACITY)
+    return sColourA;
+#elif defined(UNIFORM_COLOUR)
     return vec4(sColourA.rgb, mix(sColourA.a, sColourB.a, t));
 #else
     vec4 colour = mix(sColourA, sColourB, t);

@@ -1,4 +1,5 @@
-// One instance is a segment of a stroke (painting/coverage/section.h); its vertices are the corners of a box around it.
+// One instance is a segment of a stroke (painting/coverage/section.h); its vertices are the corners of a box around it
+// or, from afar, of a card that hides what the box hides: a third of the triangles.
 layout(location = 0) in vec4 inA;       // position, half width; element's space
 layout(location = 1) in vec4 inB;
 layout(location = 2) in vec4 inU;       // w: section
@@ -106,6 +107,36 @@ Box ribbonBox(vec3 a, float ra, vec3 b, float rb, vec3 u, vec3 v, float margin)
     return Box(a + axes * middle, extent.x * axes[0], extent.y * axes[1], extent.z * axes[2]);
 }
 
+// How much of the half of a round segment that is turned away from the eye shows skin, 0..1: none of an even tube's
+// between two others, but all of its free ends' and of steep cones'.
+float shownBehind(vec3 a, float ra, vec3 b, float rb, vec3 towardsEye, vec3 clipA, vec3 clipB)
+{
+    vec3 along = b - a;
+    float len = length(along);
+    along = len > 0.0 ? along / len : vec3(1.0, 0.0, 0.0);
+    float even = min(dot(along, clipA), dot(along, clipB)); // 0 at free ends
+    if (even < 0.8)
+        return 1.0;
+    float slope = (abs(ra - rb) / max(len, 1e-30) + sqrt(max(1.0 - even * even, 0.0))) / (even * even);
+    float height = -dot(a, towardsEye), beyond = max(abs(dot(a, along)), abs(dot(b, along)));
+    return height > 0.0 ? min(slope * beyond / height, 1.0) : 1.0;
+}
+
+// A corner, -1 or 1, of a card across the view that hides a box whose y is square to it.
+vec3 cardCorner(Box box, vec2 corner)
+{
+    float away = length(box.centre);
+    vec3 forward = box.centre / away, side = normalize(box.y), up = cross(forward, side);
+    vec2 x = vec2(dot(box.x, up), dot(box.x, forward)), z = vec2(dot(box.z, up), dot(box.z, forward));
+    vec2 middle = vec2(0.0, away);
+    vec2 c0 = middle + x + z, c1 = middle + x - z, c2 = middle - x + z, c3 = middle - x - z;
+    vec4 tangents = vec4(c0.x / c0.y, c1.x / c1.y, c2.x / c2.y, c3.x / c3.y);
+    vec2 low = min(tangents.xy, tangents.zw), high = max(tangents.xy, tangents.zw);
+    float nearest = min(min(c0.y, c1.y), min(c2.y, c3.y));
+    float height = corner.y > 0.0 ? max(high.x, high.y) : min(low.x, low.y);
+    return away * (forward + corner.x * length(box.y) / nearest * side + height * up);
+}
+
 void main()
 {
     ElementData e = elements[inElement];
@@ -125,7 +156,18 @@ void main()
     if (dot(box.x, cross(box.y, box.z)) < 0.0)
         box.x = -box.x;
     vec3 at = vec3(gl_VertexID & 1, gl_VertexID >> 1 & 1, gl_VertexID >> 2) * 2.0 - 1.0;
-    gl_Position = view.clipFromRelative * vec4(box.centre + at.x * box.x + at.y * box.y + at.z * box.z, 1.0);
+    vec3 corner;
+    if (gl_VertexID < 8) {
+        corner = box.centre + at.x * box.x + at.y * box.y + at.z * box.z;
+    } else { // of round segments only
+#ifdef SKIN_ONLY
+        float behind = shownBehind(a, ra, b, rb, normalize(box.z), clipA, clipB);
+        box.centre += 0.5 * (1.0 - behind) * box.z;
+        box.z *= 0.5 * (1.0 + behind);
+#endif
+        corner = cardCorner(box, at.xy);
+    }
+    gl_Position = view.clipFromRelative * vec4(corner, 1.0);
 
     sA = vec4(a, ra);
     sB = vec4(b, rb);

@@ -13,13 +13,10 @@ void main()
 #endif
     vec3 direction = rayThrough(FRAGMENT_PLACE);
     float s = surface(vec3(0.0), direction, view.limits.x);
-    if (s >= far)
-        discard;
     outColour = colourAt(parameter(s * direction));
     outColour.a *= layerOpacity;
-    if (outColour.a <= 0.0)
-        discard;
     outSurface = uvec2(sElement.z, floatBitsToUint(s));
     outElement = sElement.x;
-    gl_FragDepth = depthValue(s);
+    // Not by discard, with which software renderers blend every pixel of a box all the same: 0 is never GL_GREATER.
+    gl_FragDepth = s < far && outColour.a > 0.0 ? depthValue(s) : 0.0;
 }

@@ -158,6 +158,7 @@ Result<DrawnLayer> PaintingUpload::drawn(const Layer &layer, const LayerProperti
         drawn.meanColour = known.meanColour;
         made.elements.push_back(drawn);
         made.uniformColour &= summary.uniformColour;
+        made.uniformOpacity &= summary.uniformOpacity;
         made.isTranslucent |= summary.leastOpacity < 1;
         made.hasClearStrokes |= summary.leastOpacity < 1;
         made.hasMeshes |= known.isMesh;

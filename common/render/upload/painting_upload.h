@@ -39,6 +39,7 @@ struct DrawnLayer
     ToleranceMode toleranceMode = ToleranceMode::Surface;
     std::vector<DrawnElement> elements; // drawing order
     bool uniformColour = true;          // no stroke changes its colour along itself
+    bool uniformOpacity = true;         // nor its opacity
     bool isTranslucent = false;         // what is behind shines through
     bool hasClearStrokes = false;       // strokes that are not opaque themselves
     bool hasMeshes = false;
@@ -75,8 +76,8 @@ public:
     BlendSpace blendSpace() const { return mBlendSpace; }
     const Eigen::Vector3f &background() const { return mBackground; } // linear RGB
 
-    /// Vertex arrays with the current buffers, bound; of boxes with the 36 indices (16 bits) of their
-    /// triangles, an instance each.
+    /// Vertex arrays with the current buffers, bound; with the 36 indices (16 bits) of a box's triangles, an
+    /// instance each, and behind them the 6 of a card's (segment_vertex.glsl).
     /// \a coarse: of DrawnElement::coarse, which have no reach.
     GLuint segmentArray(bool coarse, bool withReach);
     GLuint meshArray();

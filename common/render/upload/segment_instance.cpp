@@ -49,6 +49,7 @@ StrokeSummary summaryOf(const std::vector<SegmentData> &segments)
         summary.box.add(box.min);
         summary.box.add(box.max);
         summary.uniformColour &= segment.colourA == segment.colourB && segment.colourA == segments[0].colourA;
+        summary.uniformOpacity &= segment.opacityA == segment.opacityB;
         summary.leastOpacity = std::min({summary.leastOpacity, segment.opacityA, segment.opacityB});
         summary.sections |= 1u << segment.section;
     }

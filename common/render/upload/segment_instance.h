@@ -41,7 +41,7 @@ ReachInstance reachOf(const SegmentData &segment);
 struct StrokeSummary
 {
     Box3 box;
-    bool uniformColour = true;
+    bool uniformColour = true, uniformOpacity = true;
     float leastOpacity = 1;
     std::uint32_t sections = 0; // bit s: StrokeSection s occurs
 };
