@@ -13,12 +13,22 @@ struct Patch
 {
     static constexpr int reach = 2;     // places to each side
     static constexpr double step = 4.0; // pixels
-    std::array<Eigen::Vector3f, (2 * reach + 1) * (2 * reach + 1)> colours;
+    static constexpr std::size_t count = (2 * reach + 1) * (2 * reach + 1);
+    std::array<Eigen::Vector3f, count> colours;
+    std::array<float, count> weights;
+
+    /// From the middle, pixels.
+    static Vec2 offsetOf(std::size_t place)
+    {
+        return step * Vec2(double(place % (2 * reach + 1)) - reach, double(place / (2 * reach + 1)) - reach);
+    }
 };
 
 Patch patchAt(const SmallPicture &picture, const Vec2 &pixel);
 
-/// How different the picture looks there: 0 for the same, grey levels, at most 40.
-double differenceAt(const SmallPicture &picture, const Vec2 &pixel, const Patch &patch);
+/// How different the picture looks there: 0 for the same, grey levels, at most 40. \a warp: how offsets from
+/// the middle have turned and grown since.
+double differenceAt(const SmallPicture &picture, const Vec2 &pixel, const Patch &patch,
+                    const Eigen::Matrix2d &warp = Eigen::Matrix2d::Identity());
 
 } // namespace ductus

@@ -2,7 +2,7 @@
 
 #include "base/parallel.h"
 #include "doodling/tracking/motion_between.h"
-#include "doodling/tracking/patch.h"
+#include "doodling/tracking/thing_patch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,7 +62,7 @@ Side sideOf(const Shot &shot, const PixelKeyframe &keyframe, int end, const Prop
     side.support = supportMotion(shot, keyframe, end, followed, support);
     side.ways = waysFrom(shot, keyframe, end, side.support, options, gaps);
     if (!shot.pictures.empty())
-        side.patch = patchAt(shot.pictures[std::size_t(keyframe.frame)], keyframe.pixel);
+        side.patch = thingPatchAt(shot, keyframe);
     return side;
 }
 
@@ -152,8 +152,11 @@ private:
         if (mShot.pictures.empty())
             return 0.0;
         const SmallPicture &picture = mShot.pictures[std::size_t(frame)];
-        const double first = differenceAt(picture, pixel, mFirst.patch);
-        return mLast ? std::min(first, differenceAt(picture, pixel, mLast->patch)) : first;
+        const std::size_t step = std::size_t(std::abs(frame - mFirst.keyframe.frame));
+        const double first = differenceAt(picture, pixel, mFirst.patch, mFirst.support.warpAt(step));
+        return mLast ? std::min(first, differenceAt(picture, pixel, mLast->patch,
+                                                    mLast->support.warpAt(mCount - step)))
+                     : first;
     }
 
     // The most alike places near the expected one, each improved by small steps.

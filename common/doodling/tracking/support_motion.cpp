@@ -5,6 +5,7 @@
 #include "doodling/tracking/patch.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -132,6 +133,11 @@ Similarity similarityOf(const std::vector<SupportPoint> &points, const PixelKeyf
 }
 
 } // namespace
+
+Eigen::Matrix2d SupportMotion::warpAt(std::size_t step) const
+{
+    return growths[step] * Eigen::Rotation2Dd(turns[step]).toRotationMatrix();
+}
 
 SupportMotion supportMotion(const Shot &shot, const PixelKeyframe &keyframe, int end,
                             const std::vector<FollowedPixel> &followed, const SupportOptions &options)

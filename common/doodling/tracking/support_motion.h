@@ -27,6 +27,9 @@ struct SupportMotion
     std::vector<ExpectedPlace> places;
     std::vector<double> turns;   // radians in the picture, clockwise as seen (y is down)
     std::vector<double> growths; // factors
+
+    /// What offsets from the point have become: turned and grown.
+    Eigen::Matrix2d warpAt(std::size_t step) const;
 };
 
 /// \a followed is the point itself, from the keyframe to \a end.
