@@ -20,6 +20,8 @@ namespace {
 constexpr RenderOptions stillDetail{1, false, 0.5, 0.25};
 constexpr RenderOptions movingDetail{1, false, 1.0, 1.0, 4.0, 200'000};
 
+constexpr int smoothenMilliseconds = 40; // from a still frame until it is made smoother
+
 } // namespace
 
 /// Outlines and the tool's marks: a widget on top, so that the painting need not be drawn again for them.
@@ -61,6 +63,12 @@ PaintingView::PaintingView(PaintingDocument &document, QWidget *parent)
     connect(&mStill, &QTimer::timeout, this, [this] {
         mPace.stop();
         update();
+    });
+    mSmoothen.setSingleShot(true);
+    mSmoothen.setInterval(smoothenMilliseconds);
+    connect(&mSmoothen, &QTimer::timeout, this, [this] {
+        if (!mPace.isMoving())
+            update();
     });
     connect(&mDocument, &Document::changed, this, [this](const ChangeEvent &event) {
         mPreview = nullptr;
@@ -203,7 +211,37 @@ void PaintingView::releaseGraphics()
     mUploaded.reset();
     mCoarse.reset();
     mPixel.reset();
+    mSmooth.reset();
     doneCurrent();
+}
+
+StillScene PaintingView::stillScene() const
+{
+    return {mPreview ? mPreview : mDocument.sharedPainting(), mSeconds, mCamera.frame(),
+            (QSizeF(size()) * devicePixelRatioF()).toSize()};
+}
+
+// As many frames more as a hand does not notice; what is there is shown.
+void PaintingView::smoothen()
+{
+    QElapsedTimer clock;
+    clock.start();
+    mRenderer->setOptions(stillDetail);
+    const QSize size = stillScene().size;
+    while (!mSmooth->isDone() && clock.elapsed() < smoothenMilliseconds) {
+        const RenderView view{mSmooth->nextCamera(), mSmooth->nextFramebuffer(), 0, 0, size.width(),
+                              size.height()};
+        if (const Result<void> drawn = mRenderer->render({&view, 1}); !drawn) {
+            mSmooth->forget();
+            emit graphicsFailed(drawn.error());
+            return;
+        }
+        mSmooth->add();
+        context()->functions()->glFinish(); // the clock needs what it really took
+    }
+    mSmooth->show(defaultFramebufferObject());
+    if (!mSmooth->isDone())
+        mSmoothen.start();
 }
 
 // Frames of a movement are drawn small and enlarged.
@@ -234,13 +272,22 @@ void PaintingView::paintGL()
         return;
     QElapsedTimer clock;
     clock.start();
-    const int w = qRound(width() * devicePixelRatioF()), h = qRound(height() * devicePixelRatioF());
+    const QSize pixels = stillScene().size;
+    const int w = pixels.width(), h = pixels.height();
     if (mStandIn) {
         mStandIn(defaultFramebufferObject(), {w, h});
         ++mFrameCount;
         return;
     }
-    const std::shared_ptr<const Painting> painting = mPreview ? mPreview : mDocument.sharedPainting();
+    const StillScene scene = stillScene();
+    const std::shared_ptr<const Painting> &painting = scene.painting;
+    if (!mSmooth)
+        mSmooth = std::make_unique<SmoothStill>();
+    if (!mPace.isMoving() && mSmooth->isOf(scene)) {
+        smoothen();
+        return;
+    }
+    mSmooth->forget();
     Result<void> drawn;
     // Looking what has changed takes its time with tens of thousands of strokes, and turning changes nothing.
     if (painting != mUploaded || mSeconds != mUploadedSeconds) {
@@ -258,6 +305,10 @@ void PaintingView::paintGL()
     mLastFrameMilliseconds = double(clock.nsecsElapsed()) * 1e-6;
     mPace.drawn(mLastFrameMilliseconds);
     ++mFrameCount;
+    if (drawn && !mPace.isMoving() && mLastFrameMilliseconds < SmoothStill::mostMilliseconds) {
+        mSmooth->begin(scene, defaultFramebufferObject());
+        mSmoothen.start();
+    }
 }
 
 void PaintingView::resizeEvent(QResizeEvent *event)
@@ -274,7 +325,9 @@ std::optional<PickedPoint> PaintingView::pick(const QPointF &position)
     makeCurrent();
     const double ratio = devicePixelRatioF();
     int x = int(position.x() * ratio), y = int(position.y() * ratio);
-    if (mDrawnDivisor > 1) { // the one pixel that is asked for, as the sharp frame would have it
+    if (mDrawnDivisor > 1 ||
+        (mSmooth &&
+         mSmooth->hasShifted())) { // the one pixel that is asked for, as the sharp frame would have it
         const double w = width() * ratio, h = height() * ratio;
         const FrameCamera whole = mCamera.frame();
         FrameCamera part = whole;
@@ -331,6 +384,8 @@ std::optional<ElementId> PaintingView::strokeNear(const QPointF &position, Layer
 QImage PaintingView::picture()
 {
     mPace.stop();
+    if (mSmooth)
+        mSmooth->forget(); // the same picture every time, however long it was looked at
     return mFrameCount > 0 && !mDocument.isEmpty() ? grabFramebuffer() : QImage();
 }
 

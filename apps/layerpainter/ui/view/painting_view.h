@@ -7,6 +7,7 @@
 #include "layerpainter/ui/view/canvas_tool.h"
 #include "layerpainter/ui/view/frame_pace.h"
 #include "layerpainter/ui/view/paint_camera.h"
+#include "layerpainter/ui/view/smooth_still.h"
 #include "render/painting_renderer.h"
 
 #include <QElapsedTimer>
@@ -68,6 +69,8 @@ public:
     double lastFrameMilliseconds() const { return mLastFrameMilliseconds; }
     /// Window pixels along each side of a pixel of the last frame: 1 unless something moves.
     int lastFrameDivisor() const { return mDrawnDivisor; }
+    /// Whether the canvas rests and its edges are smooth.
+    bool isSmooth() const { return mSmooth && mSmooth->isOf(stillScene()) && mSmooth->isDone(); }
     /// The pen's pressure goes through this first.
     void setPressureCurve(std::function<double(double)> curve) { mPressure = std::move(curve); }
 
@@ -99,6 +102,8 @@ private:
     void changedView();
     void movedView();
     Result<void> drawFrame(int width, int height, int divisor);
+    StillScene stillScene() const;
+    void smoothen();
 
     PaintingDocument &mDocument;
     std::optional<PaintingRenderer> mRenderer;
@@ -124,6 +129,8 @@ private:
     int mDrawnDivisor = 1;
     std::unique_ptr<QOpenGLFramebufferObject> mCoarse; // frames while something moves
     std::unique_ptr<QOpenGLFramebufferObject> mPixel;  // pick() while something moves
+    std::unique_ptr<SmoothStill> mSmooth;
+    QTimer mSmoothen; // while there is something left to smoothen
 };
 
 } // namespace ductus

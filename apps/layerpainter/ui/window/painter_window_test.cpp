@@ -17,6 +17,7 @@ class PainterWindowTest : public QObject
 private slots:
     void initTestCase();
     void theStartPageLeadsIntoASample();
+    void becomesSmoothWhenItRests();
     void staysFluidWhileTheViewTurns();
     void paintsIntoALayerAndUndoRestoresExactly();
     void hidesALayerByItsEye();
@@ -50,6 +51,40 @@ void PainterWindowTest::theStartPageLeadsIntoASample()
     QVERIFY2(mApp->window->messages()->messages().isEmpty(), "graphics failed");
     qInfo("a frame takes %.0f ms", mApp->window->view().lastFrameMilliseconds());
     mApp->shot("02-desk");
+}
+
+void PainterWindowTest::becomesSmoothWhenItRests()
+{
+    PaintingView &view = mApp->window->view();
+    const QImage rough = view.picture(); // begins anew
+    QVERIFY(!view.isSmooth());
+    view.update();
+    if (view.lastFrameMilliseconds() > SmoothStill::mostMilliseconds)
+        QSKIP("this machine draws too slowly to smoothen");
+    QVERIFY(QTest::qWaitFor([&] { return view.isSmooth(); }, 60'000));
+    const QImage smooth = view.grabFramebuffer();
+    QVERIFY(view.isSmooth());
+    QCOMPARE(smooth.size(), rough.size());
+    int roughSteps = 0, smoothSteps = 0, even = 0, changed = 0;
+    const auto step = [](QRgb a, QRgb b) { return std::abs(qGray(a) - qGray(b)); };
+    for (int y = 1; y + 1 < rough.height(); ++y)
+        for (int x = 1; x + 1 < rough.width(); ++x) {
+            roughSteps += step(rough.pixel(x, y), rough.pixel(x + 1, y)) > 40;
+            smoothSteps += step(smooth.pixel(x, y), smooth.pixel(x + 1, y)) > 40;
+            int most = 0;
+            for (int j = -1; j <= 1; ++j)
+                for (int i = -1; i <= 1; ++i)
+                    most = std::max(most, step(rough.pixel(x, y), rough.pixel(x + i, y + j)));
+            even += most == 0;
+            changed += most == 0 && step(rough.pixel(x, y), smooth.pixel(x, y)) > 2;
+        }
+    QVERIFY2(4 * smoothSteps < 3 * roughSteps,
+             qPrintable(QString("%1 of %2").arg(smoothSteps).arg(roughSteps)));
+    // What has no edge stays as it is.
+    QVERIFY2(200 * changed < even, qPrintable(QString("%1 of %2").arg(changed).arg(even)));
+    view.camera().orbit({3, 0});
+    QVERIFY(!view.isSmooth());
+    view.camera().orbit({-3, 0});
 }
 
 void PainterWindowTest::staysFluidWhileTheViewTurns()
