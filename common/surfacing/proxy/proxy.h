@@ -3,14 +3,12 @@
 //
 // The ladder, first rung that stands wins:
 // 0. local, only where there are more well-spread points than the dense solver takes (dense sketches, clouds
-// of
-//    points): the same field in many small pieces, local/local_fit.h;
+//    of points): the same field in many small pieces, local/local_fit.h;
 // 1. variational: the smooth field of variational_fit.h, contoured inside the neighbourhood of the wrap. For
-// a solid
-//    the wrap also says, loosely, where the surface is between the strokes, and the contour is closed; for a
-//    shell (wrap_proxy.h, or where boundary strokes are marked) the contour ends with the neighbourhood. A
-//    solid's wrap that has fallen in between strokes is seen from the contour's disorder (rungs.h), and a
-//    looser one is taken; a sheet with tunnels is smoothed more;
+//    a solid the wrap also says, loosely, where the surface is between the strokes, and the contour is
+//    closed; for a shell (wrap_proxy.h, or where boundary strokes are marked) the contour ends with the
+//    neighbourhood. A solid's wrap that has fallen in between strokes is seen from the contour's disorder
+//    (rungs.h), and a looser one is taken; where tunnels are left, more smoothing;
 // 2. the same with more smoothing;
 // 3. wrap: CGAL's alpha wrap of the strokes, closed and manifold by construction.
 #pragma once
@@ -36,7 +34,7 @@ struct DisorderLimits
     double loosest = 2.5;  // ... those of more than so many times alpha ...
     double hopeless = 0.2; // ... only while it is more than this
     double tunnel = 0.02;  // that a tunnel counts
-    std::vector<double> sheetSmoothings = {3.0, 10.0}; // factors on lambda for sheets with tunnels
+    std::vector<double> smoothings = {3.0, 10.0, 30.0}; // factors on lambda, tried in turn against tunnels
 };
 
 struct ProxyOptions

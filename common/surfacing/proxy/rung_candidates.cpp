@@ -57,20 +57,21 @@ RungCandidate calmestSolid(RungCandidate best, ProxyKind kind, const StrokeSet &
     return best;
 }
 
-// Strokes that were meant to be one curve but miss each other become two walls of one sheet, with tunnels
-// between them. More smoothing takes them for one.
-RungCandidate calmestSheet(RungCandidate best, ProxyKind kind, const ProxyOptions &options,
-                           const JobControl &control)
+// Strokes that were meant to be one curve but miss each other become two walls, with tunnels between them.
+// More smoothing takes them for one; the finished proxy is drawn back to the strokes.
+RungCandidate withoutTunnels(RungCandidate best, ProxyKind kind, const std::vector<ProxyGround> &grounds,
+                             const ProxyOptions &options, const JobControl &control)
 {
     const double first = best.lambda;
-    for (const double smoothing : options.disorder.sheetSmoothings) {
-        if (control.isCancelled() || !best.rung || best.rung->disorder <= 0.0)
-            break;
-        const double lambda = smoothing * first;
-        RungCandidate candidate{best.ground, lambda, makeRung(kind, best.ground, lambda, options, control)};
-        if (isBetter(candidate, best))
-            best = std::move(candidate);
-    }
+    for (const double smoothing : options.disorder.smoothings)
+        for (const ProxyGround &ground : grounds) {
+            if (control.isCancelled() || !best.rung || best.rung->tunnels == 0)
+                return best;
+            const double lambda = smoothing * first;
+            RungCandidate candidate{ground, lambda, makeRung(kind, ground, lambda, options, control)};
+            if (isBetter(candidate, best))
+                best = std::move(candidate);
+        }
     return best;
 }
 
@@ -80,9 +81,14 @@ RungCandidate calmest(ProxyKind kind, const ProxyGround &ground, const StrokeSet
                       const std::vector<Vec3> &drawn, double lambda, const ProxyOptions &options,
                       const JobControl &control)
 {
-    RungCandidate plain{ground, lambda, makeRung(kind, ground, lambda, options, control)};
-    return ground.isOpen ? calmestSheet(std::move(plain), kind, options, control)
-                         : calmestSolid(std::move(plain), kind, strokes, drawn, options, control);
+    RungCandidate best{ground, lambda, makeRung(kind, ground, lambda, options, control)};
+    std::vector<ProxyGround> grounds{ground};
+    if (!ground.isOpen) {
+        best = calmestSolid(std::move(best), kind, strokes, drawn, options, control);
+        if (best.ground.wrap.alpha != ground.wrap.alpha)
+            grounds.insert(grounds.begin(), best.ground);
+    }
+    return withoutTunnels(std::move(best), kind, grounds, options, control);
 }
 
 } // namespace ductus

@@ -12,8 +12,8 @@ struct RungCandidate
     Result<ProxyRung> rung;
 };
 
-/// The rung of \a kind with the least disorder: on \a ground with \a lambda, or where that is in disorder,
-/// for a solid on looser wraps, for a sheet with more smoothing. \a drawn: samples of \a strokes.
+/// The rung of \a kind with the least disorder: on \a ground with \a lambda; where that is in disorder, for a
+/// solid on looser wraps; and where it has tunnels, with more smoothing. \a drawn: samples of \a strokes.
 RungCandidate calmest(ProxyKind kind, const ProxyGround &ground, const StrokeSet &strokes,
                       const std::vector<Vec3> &drawn, double lambda, const ProxyOptions &options,
                       const JobControl &control);

@@ -105,7 +105,8 @@ Result<ProxyRung> makeRung(ProxyKind kind, const ProxyGround &ground, double lam
                      "Draw more strokes, or give a proxy mesh", ""};
     // The wrap of a sheet is a thin double layer: its tunnels are the sheet's holes.
     const int expected = ground.isOpen ? 0 : tunnelsThrough(ground.wrap.mesh);
-    rung.disorder = options.disorder.tunnel * std::max(0, tunnelsThrough(rung.mesh) - expected);
+    rung.tunnels = std::max(0, tunnelsThrough(rung.mesh) - expected);
+    rung.disorder = options.disorder.tunnel * rung.tunnels;
     if (!ground.isOpen)
         rung.disorder += contour->surface.cappedShare;
     return rung;

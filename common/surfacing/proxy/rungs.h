@@ -22,9 +22,9 @@ struct ProxyRung
 {
     TriangleMesh mesh;
     std::vector<Vec3> targets; // where the finished proxy is drawn to
-    /// How far the contour is from standing for the sketch: DisorderLimits::tunnel for each tunnel that a
-    /// sheet has, or a solid and not its wrap; and of a solid the share that runs out of the wrap's
-    /// neighbourhood, since the field has its sides confused.
+    int tunnels = 0;           // of a sheet; of a solid those its wrap does not have
+    /// How far the contour is from standing for the sketch: DisorderLimits::tunnel for each tunnel, and of a
+    /// solid the share that runs out of the wrap's neighbourhood, since the field has its sides confused.
     double disorder = 0.0;
 };
 

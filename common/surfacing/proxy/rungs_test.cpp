@@ -141,7 +141,7 @@ private slots:
         QVERIFY(calm.lambda > lambda);
         QCOMPARE(calm.rung->disorder, 0.0);
         ProxyOptions options;
-        options.disorder.sheetSmoothings.clear();
+        options.disorder.smoothings.clear();
         const RungCandidate rough =
             calmest(ProxyKind::Variational, ground, strokes, strokes.allPoints(), lambda, options, {});
         QVERIFY(rough.rung && rough.rung->disorder > 0.0);
