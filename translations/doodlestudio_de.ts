@@ -1214,6 +1214,22 @@ Oder wählen Sie eine Leinwand, um sie von vorn zu sehen.</translation>
         <translation>Clip suchen...</translation>
     </message>
     <message>
+        <source>Looking where %1 is now</source>
+        <translation>Suche, wo %1 jetzt ist</translation>
+    </message>
+    <message>
+        <source>The clip was moved and is found again: %1</source>
+        <translation>Der Clip wurde verschoben und ist wiedergefunden: %1</translation>
+    </message>
+    <message>
+        <source>The clip has the frames and the size of the one this was drawn on, but it is another file.</source>
+        <translation>Der Clip hat so viele Bilder und ist so groß wie der, auf den gezeichnet wurde, ist aber eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>If it does not show the same scene, find the right one.</source>
+        <translation>Wenn er nicht dieselbe Szene zeigt, suchen Sie den richtigen.</translation>
+    </message>
+    <message>
         <source>The clip is another one than this was drawn on.</source>
         <translation>Das ist ein anderer Clip als der, auf den gezeichnet wurde.</translation>
     </message>

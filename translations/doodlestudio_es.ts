@@ -1214,6 +1214,22 @@ O elija un lienzo para verlo de frente.</translation>
         <translation>Buscar el clip...</translation>
     </message>
     <message>
+        <source>Looking where %1 is now</source>
+        <translation>Buscando dónde está ahora %1</translation>
+    </message>
+    <message>
+        <source>The clip was moved and is found again: %1</source>
+        <translation>El clip se había movido y se ha vuelto a encontrar: %1</translation>
+    </message>
+    <message>
+        <source>The clip has the frames and the size of the one this was drawn on, but it is another file.</source>
+        <translation>El clip tiene los fotogramas y el tamaño de aquel sobre el que se dibujó, pero es otro archivo.</translation>
+    </message>
+    <message>
+        <source>If it does not show the same scene, find the right one.</source>
+        <translation>Si no muestra la misma escena, busque el correcto.</translation>
+    </message>
+    <message>
         <source>The clip is another one than this was drawn on.</source>
         <translation>No es el clip sobre el que se dibujó esto.</translation>
     </message>

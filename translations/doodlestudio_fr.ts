@@ -1214,6 +1214,22 @@ Ou choisissez une toile pour la voir de face.</translation>
         <translation>Retrouver le clip...</translation>
     </message>
     <message>
+        <source>Looking where %1 is now</source>
+        <translation>Recherche de l’endroit où se trouve %1</translation>
+    </message>
+    <message>
+        <source>The clip was moved and is found again: %1</source>
+        <translation>Le clip a été déplacé et a été retrouvé : %1</translation>
+    </message>
+    <message>
+        <source>The clip has the frames and the size of the one this was drawn on, but it is another file.</source>
+        <translation>Le clip a le nombre d’images et la taille de celui sur lequel on a dessiné, mais c’est un autre fichier.</translation>
+    </message>
+    <message>
+        <source>If it does not show the same scene, find the right one.</source>
+        <translation>S’il ne montre pas la même scène, cherchez le bon.</translation>
+    </message>
+    <message>
         <source>The clip is another one than this was drawn on.</source>
         <translation>Ce n’est pas le clip sur lequel ceci a été dessiné.</translation>
     </message>

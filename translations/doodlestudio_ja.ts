@@ -1210,6 +1210,22 @@ Or choose a canvas to see it from the front.</source>
         <translation>クリップを探す...</translation>
     </message>
     <message>
+        <source>Looking where %1 is now</source>
+        <translation>%1 の現在の場所を探しています</translation>
+    </message>
+    <message>
+        <source>The clip was moved and is found again: %1</source>
+        <translation>移動されたクリップが見つかりました: %1</translation>
+    </message>
+    <message>
+        <source>The clip has the frames and the size of the one this was drawn on, but it is another file.</source>
+        <translation>フレーム数とサイズは絵を描いたクリップと同じですが、別のファイルです。</translation>
+    </message>
+    <message>
+        <source>If it does not show the same scene, find the right one.</source>
+        <translation>同じ場面でない場合は、正しいクリップを探してください。</translation>
+    </message>
+    <message>
         <source>The clip is another one than this was drawn on.</source>
         <translation>絵を描いたときとは別のクリップです。</translation>
     </message>

@@ -1,6 +1,7 @@
 #include "doodlestudio/document/clip_opening.h"
 
 #include "document/document_files.h"
+#include "doodling/clip/clip_digest.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -31,6 +32,18 @@ Result<OpenedClip> openClipFile(const QString &path, const JobControl &control)
     return opened;
 }
 
+Result<OpenedClip> openMovedClip(const QString &path, const ClipReference &known, const JobControl &control)
+{
+    Result<OpenedClip> opened = openClipFile(path, control.part(0.0, 0.5));
+    if (!opened || likenessOf(known, opened->reference) == ClipLikeness::Other)
+        return opened;
+    Result<std::string> digest = clipDigest(enginePath(path), control.part(0.5, 1.0));
+    if (!digest)
+        return digest.error();
+    opened->reference.digest = std::move(*digest);
+    return opened;
+}
+
 bool looksLikeClip(const QString &path)
 {
     const QFileInfo info(path);
@@ -51,9 +64,13 @@ QString clipPatterns()
     return patterns.join(QLatin1Char(' '));
 }
 
-bool isOtherClip(const ClipReference &known, const ClipReference &found)
+ClipLikeness likenessOf(const ClipReference &known, const ClipReference &found)
 {
-    return known.frameCount != found.frameCount || known.width != found.width || known.height != found.height;
+    if (known.frameCount != found.frameCount || known.width != found.width || known.height != found.height)
+        return ClipLikeness::Other;
+    if (known.digest.empty() || found.digest.empty())
+        return ClipLikeness::Alike;
+    return known.digest == found.digest ? ClipLikeness::Same : ClipLikeness::OtherBytes;
 }
 
 } // namespace ductus

@@ -1,12 +1,10 @@
-// Opening, saving and analysing in DoodleStudio's window.
+// Opening, saving and exporting in DoodleStudio's window.
 #include "document/bundled_sample.h"
 #include "document/document_files.h"
 #include "document/project_picture.h"
 #include "doodlestudio/ui/film/export_dialog.h"
 #include "doodlestudio/ui/player/player_view.h"
-#include "doodlestudio/ui/timeline/timeline_view.h"
 #include "doodlestudio/ui/window/studio_window.h"
-#include "doodling/clip/clip_sound.h"
 #include "widgets/pages/sample_words.h"
 #include "widgets/pages/start_page.h"
 #include "widgets/shell/message_bar.h"
@@ -127,24 +125,6 @@ void StudioWindow::openSample(const QString &id)
     findClip();
 }
 
-void StudioWindow::openClipAt(const QString &path)
-{
-    jobs().start<OpenedClip>(
-        {QStringLiteral("open"), tr("Opening %1").arg(QFileInfo(path).fileName())}, this,
-        [path](const JobControl &control) { return openClipFile(path, control); },
-        [this, path](Result<OpenedClip> clip) {
-            if (!clip) {
-                showError(clip.error());
-                return;
-            }
-            messages()->closeAll();
-            mDoodle.start(path, clip->reference);
-            mRecent.add(path);
-            adoptClip(std::move(*clip));
-            analyse();
-        });
-}
-
 void StudioWindow::openProject(const QString &path)
 {
     openDocument(mDoodle, jobs(), path, [this, path](Result<OpenNotes> notes) {
@@ -163,91 +143,6 @@ void StudioWindow::openProject(const QString &path)
         findClip();
         lookForNewerPaintings(false);
     });
-}
-
-void StudioWindow::findClip()
-{
-    const QString path = mDoodle.clipPath();
-    showOpened();
-    if (!QFileInfo::exists(path)) {
-        lookForClip();
-        return;
-    }
-    jobs().start<OpenedClip>(
-        {QStringLiteral("open"), tr("Opening %1").arg(QFileInfo(path).fileName())}, this,
-        [path](const JobControl &control) { return openClipFile(path, control); },
-        [this](Result<OpenedClip> clip) {
-            if (!clip) {
-                showError(clip.error(), tr("Find the clip..."), [this] { lookForClip(); });
-                return;
-            }
-            if (isOtherClip(mDoodle.clip(), clip->reference)) {
-                Message message{MessageKind::Warning, tr("The clip is another one than this was drawn on.")};
-                message.remedy = tr("Its number of frames or its size differ.");
-                message.action = tr("Find the clip...");
-                message.run = [this] { lookForClip(); };
-                messages()->show(message);
-                return;
-            }
-            adoptClip(std::move(*clip));
-            if (!mDoodle.shot())
-                analyse();
-        });
-}
-
-void StudioWindow::lookForClip()
-{
-    Message message{MessageKind::Warning,
-                    tr("The clip %1 is not where it was.").arg(QFileInfo(mDoodle.clipPath()).fileName())};
-    message.remedy = tr("Show where it is now: everything drawn is kept.");
-    message.key = QStringLiteral("clip");
-    message.action = tr("Find the clip...");
-    message.run = [this] {
-        const QString found = QFileDialog::getOpenFileName(
-            this, tr("Where is %1?").arg(QFileInfo(mDoodle.clipPath()).fileName()), {},
-            tr("Clips (%1);;All files (*)").arg(clipPatterns()));
-        if (found.isEmpty()) {
-            lookForClip();
-            return;
-        }
-        mDoodle.relocateClip(found);
-        findClip();
-    };
-    messages()->show(message);
-}
-
-void StudioWindow::adoptClip(OpenedClip clip)
-{
-    const std::shared_ptr<const Shot> shot = mDoodle.sceneShot();
-    mPlayer->setWorkingSize({shot->width, shot->height});
-    mTimeline->setFrameTimes(clip.clip->info().frameTimes);
-    mTimeline->setSound(nullptr);
-    mPlayback.setSound(nullptr);
-    for (const std::string &warning : clip.clip->info().warnings)
-        messages()->warning(QString::fromStdString(warning));
-    mFrames.setClip(clip.clip);
-    mPreview.forget();
-    mPlayback.setFrameTimes(clip.clip->info().frameTimes);
-    showOpened();
-    updatePictureSize();
-    if (!mPaintingToPlace.isEmpty())
-        placePainting(std::exchange(mPaintingToPlace, {}));
-    if (!clip.clip->info().hasAudio)
-        return;
-    jobs().start<ClipSound>(
-        {QStringLiteral("sound"), tr("Reading the sound"), true}, this,
-        [path = enginePath(mDoodle.clipPath())](const JobControl &control) {
-            return readSound(path, {}, control);
-        },
-        [this](Result<ClipSound> sound) {
-            if (!sound) {
-                showError(sound.error());
-                return;
-            }
-            auto shared = std::make_shared<const ClipSound>(std::move(*sound));
-            mPlayback.setSound(shared);
-            mTimeline->setSound(shared);
-        });
 }
 
 ExportDialog *StudioWindow::openExport()

@@ -108,9 +108,12 @@ private:
     void chooseAndOpen();
     void openClipAt(const QString &path);
     void openProject(const QString &path);
-    /// The clip of the document, after it was opened.
+    /// The clip of the document, after it was opened: where it was, or where it was moved to.
     void findClip();
+    void openKnownClip(const QString &path);
     void lookForClip();
+    void askForClip();
+    void offerOtherClip(const QString &what, const QString &remedy);
     void adoptClip(OpenedClip clip);
     void showOpened();
     void saveTo(const QString &path, std::function<void(bool)> finish = {});
