@@ -16,7 +16,7 @@ namespace {
 
 constexpr char attempted[] = "Finding how the scene moves";
 // Counts up whenever the same clip would give other motion, cameras or depth.
-constexpr int analysisVersion = 1;
+constexpr int analysisVersion = 2;
 
 std::string storeKey(const ShotOptions &options)
 {

@@ -13,6 +13,7 @@ namespace {
 constexpr std::array gaps = {1, 2, 4, 8};
 constexpr double surelyStill = 0.6; // pixels at 854 of width
 constexpr double surelyMoving = 2.2;
+constexpr double usualMiss = 0.3;    // pixels at 854 of width: median of a frame whose camera is well known
 constexpr double mostArea = 0.6;     // of the picture: more is no thing that moves, but a camera misjudged
 constexpr float stillWeight = 0.02f; // most things stand still
 constexpr double leastArea = 0.0015; // of the picture
@@ -43,6 +44,21 @@ double missOfStill(const ShotCamera &from, const ShotCamera &to, const Vec2 &pix
 std::size_t goal(const CompactFlow &flow, std::size_t cell)
 {
     return flow.cellAt(flow.cellMiddle(cell) + flow.cellMotion(cell).cast<double>());
+}
+
+// Most of a picture stands still: what it misses by is the cameras' error, or that of the flow in a smeared
+// or noisy frame. Where that is more than usual more is needed to be called moving: a factor, at least 1.
+double shakiness(const OwnMotion &motion, double unit)
+{
+    std::vector<float> misses;
+    for (std::size_t i = 0; i < motion.pixels.size(); ++i)
+        if (motion.trusts[i] > 0.0f)
+            misses.push_back(motion.pixels[i]);
+    if (misses.empty())
+        return 1.0;
+    const auto middle = misses.begin() + std::ptrdiff_t(misses.size() / 2);
+    std::nth_element(misses.begin(), middle, misses.end());
+    return std::max(1.0, double(*middle) / (usualMiss * unit));
 }
 
 // Of what came before along the flow a share stays.
@@ -86,7 +102,7 @@ OwnMotion ownMotion(const Shot &shot, int frame)
 
 std::vector<float> movingLikelihood(const OwnMotion &motion, const EdgeWeights &edges, double width)
 {
-    const double unit = std::max(0.5, width / 854.0);
+    const double plain = std::max(0.5, width / 854.0), unit = plain * shakiness(motion, plain);
     const std::size_t rowLength = std::size_t(edges.width);
     std::vector<float> likelihoods, weights;
     for (std::size_t i = 0; i < motion.pixels.size(); ++i) {
