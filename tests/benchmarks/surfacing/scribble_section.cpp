@@ -7,6 +7,8 @@
 #include "surfacing/pipeline/surfacing_state.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace ductus {
 
@@ -22,29 +24,65 @@ const std::vector<Column> columns{
     {"meshVerdict", "", 4},          {"othersPercent", "others %", 8},
 };
 
-// Centroids of a region's triangles from end to end along its longest direction, few enough for a hand.
-std::vector<Vec3> lineAcross(const LabelPreview &preview, int region)
+std::vector<Vec3> centroidsOf(const LabelPreview &preview, int region)
 {
     std::vector<Vec3> centroids;
     for (int t = 0; t < preview.mesh.triangleCount(); ++t)
         if (preview.triangleRegions[std::size_t(t)] == region)
             centroids.push_back(preview.mesh.centroid(t));
-    const Box3 box = boundingBox(centroids);
+    return centroids;
+}
+
+Vec3 nearestOf(const std::vector<Vec3> &points, const Vec3 &wanted)
+{
+    return *std::min_element(points.begin(), points.end(), [&](const Vec3 &a, const Vec3 &b) {
+        return (a - wanted).squaredNorm() < (b - wanted).squaredNorm();
+    });
+}
+
+int longestAxis(const Box3 &box)
+{
     int axis = 0;
     (box.max - box.min).maxCoeff(&axis);
-    const Vec3 centre = box.centre();
+    return axis;
+}
+
+// Centroids of a region's triangles from end to end along its longest direction, few enough for a hand.
+std::vector<Vec3> lineAcross(const LabelPreview &preview, int region)
+{
+    const std::vector<Vec3> centroids = centroidsOf(preview, region);
+    const Box3 box = boundingBox(centroids);
+    const int axis = longestAxis(box);
     std::vector<Vec3> line;
     constexpr int count = 12;
     for (int i = 0; i < count; ++i) {
-        Vec3 wanted = centre;
+        Vec3 wanted = box.centre();
         wanted[axis] = box.min[axis] + (box.max[axis] - box.min[axis]) * (0.1 + 0.8 * i / (count - 1));
-        Vec3 best = centroids.front();
-        for (const Vec3 &c : centroids)
-            if ((c - wanted).squaredNorm() < (best - wanted).squaredNorm())
-                best = c;
-        line.push_back(best);
+        line.push_back(nearestOf(centroids, wanted));
     }
     return line;
+}
+
+// What parts a region: a line across, or a ring around one that is a tube, like the body of a bottle.
+std::vector<Vec3> lineParting(const LabelPreview &preview, int region)
+{
+    const std::vector<Vec3> centroids = centroidsOf(preview, region);
+    const Box3 box = boundingBox(centroids);
+    const Vec3 half = 0.5 * (box.max - box.min), centre = box.centre();
+    const int along = longestAxis(box), u = (along + 1) % 3, v = (along + 2) % 3;
+    const bool isTube = (nearestOf(centroids, centre) - centre).norm() > 0.7 * std::min(half[u], half[v]);
+    if (!isTube)
+        return lineAcross(preview, region);
+    std::vector<Vec3> ring;
+    constexpr int count = 24;
+    for (int i = 0; i <= count; ++i) {
+        const double angle = 2.0 * std::numbers::pi * (i % count) / count;
+        Vec3 wanted = centre;
+        wanted[u] += half[u] * std::cos(angle);
+        wanted[v] += half[v] * std::sin(angle);
+        ring.push_back(nearestOf(centroids, wanted));
+    }
+    return ring;
 }
 
 int largestRegion(const LabelPreview &preview)
@@ -83,10 +121,11 @@ std::vector<Scribble> scribblesFor(const LabelPreview &preview)
 {
     const std::vector<Vec3> across = lineAcross(preview, largestRegion(preview));
     const std::vector<Vec3> detail(across.begin() + 4, across.begin() + 7);
+    const std::vector<Vec3> parting = lineParting(preview, largestRegion(preview));
     return {{ScribbleKind::Merge, lineIntoNeighbour(preview), 0},
             {ScribbleKind::NewRegion, detail, 0},
-            {ScribbleKind::Split, across, 0},
-            {ScribbleKind::Seam, across, 0},
+            {ScribbleKind::Split, parting, 0},
+            {ScribbleKind::Seam, parting, 0},
             {ScribbleKind::ForbidSeam, lineIntoNeighbour(preview), 0},
             {ScribbleKind::Lock, detail, 0},
             {ScribbleKind::SetDegree, detail, 3}};
