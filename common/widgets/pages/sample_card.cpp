@@ -1,5 +1,6 @@
 #include "widgets/pages/sample_card.h"
 
+#include "widgets/controls/elided_text.h"
 #include "widgets/theme/icons.h"
 #include "widgets/theme/theme.h"
 
@@ -89,7 +90,7 @@ void SampleCardButton::paintEvent(QPaintEvent *)
     painter.setFont(font());
     painter.setPen(colours.dim);
     painter.drawText(QRect(words.left(), words.top() + line + 4, words.width(), 2 * line),
-                     int(Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap), mCard.lesson);
+                     int(Qt::AlignLeft | Qt::AlignTop), elidedLines(mCard.lesson, font(), words.width(), 2));
 }
 
 void SampleCardButton::enterEvent(QEnterEvent *)
