@@ -3,6 +3,7 @@
 #include "formats/paintings/object_fields.h"
 #include "formats/paintings/object_stream.h"
 #include "formats/paintings/painting_readers.h"
+#include "formats/paintings/tilt_environment.h"
 
 #include <bit>
 #include <cmath>
@@ -29,6 +30,7 @@ struct Metadata
     std::vector<std::string> brushes;
     std::vector<PaintingFileLayer> layers; // of Open Brush; only what the program is known to write
     std::vector<std::string> notes;
+    std::optional<TiltEnvironment> environment;
 };
 
 struct StrokeHeader
@@ -65,6 +67,8 @@ Result<Metadata> readMetadata(ByteSource &json, const JobControl &control)
     }
     if (fault)
         return Error{ErrorCode::Malformed, attempted, *fault, "Save the sketch again", json.name()};
+    std::optional<std::string> unknown; // surroundings of another kind are no fault of the sketch
+    metadata.environment = tiltEnvironment(ObjectFields(*root, unknown).text("EnvironmentPreset", ""));
     const Json *layers = fields.find("Layers");
     for (std::size_t i = 0; layers && layers->is_array() && i < layers->size(); ++i) {
         PaintingFileLayer layer;
@@ -312,6 +316,13 @@ PaintingFile assembled(SketchReading reading, const Metadata &metadata)
     report.strokes = int(reading.strokes);
     report.points = reading.points;
     report.notes = metadata.notes;
+    if (const auto &around = metadata.environment) {
+        if (standsOutFrom(painting, around->sky))
+            painting.background = around->sky;
+        else
+            report.notes.push_back("the background is not that of the environment \"" + around->name +
+                                   "\": the strokes would hardly be seen on it without light");
+    }
     if (reading.strokes > 0)
         report.notes.push_back("all brushes were read as ribbons");
     if (reading.clampedValues > 0)

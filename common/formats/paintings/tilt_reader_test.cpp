@@ -24,6 +24,7 @@ class TiltReaderTest : public QObject
 private slots:
     void readsStrokes();
     void readsExtrasAndLayers();
+    void takesTheSkyItWasPaintedUnder();
     void doesWithoutMetadata();
     void refusesDamage_data();
     void refusesDamage();
@@ -65,6 +66,33 @@ void TiltReaderTest::readsExtrasAndLayers()
     const auto longer = readText(tiltSketch() + "rest");
     QVERIFY(longer.ok());
     QCOMPARE(longer->report.notes.back(), std::string("4 bytes after the last stroke were not read"));
+}
+
+void TiltReaderTest::takesTheSkyItWasPaintedUnder()
+{
+    const auto under = [](const char *environment, float red, float green = 0.5f) {
+        TiltStroke stroke;
+        stroke.red = red;
+        std::string bytes = tiltStroke(stroke);
+        bytes.replace(8, 4, tiltBytes(green)); // behind the brush and red
+        return readText(tiltHeader(1) + bytes,
+                        std::string("{\"BrushIndex\":[\"aaaa\"],\"EnvironmentPreset\":") + environment + "}");
+    };
+    const auto standard = under("\"ab080599-e465-4a6d-8587-43bf495af68b\"", 1);
+    QVERIFY(standard.ok());
+    QVERIFY(standard->background.has_value());
+    QVERIFY(std::abs((*standard->background)[0] - 0.0212f) < 1e-3f); // 40 of 255, linear
+    QVERIFY((*standard->background)[2] > (*standard->background)[0]);
+    const auto bright = under("\"580b4529-ac50-4fe9-b8d2-635765a14893\"", 1);
+    QVERIFY(bright.ok() && bright->background == Eigen::Vector3f(0, 0, 0));
+    // Nobody would see it.
+    const auto dark = under("\"580b4529-ac50-4fe9-b8d2-635765a14893\"", 0.02f, 0.02f);
+    QVERIFY(dark.ok() && !dark->background.has_value());
+    QVERIFY(dark->report.notes[0].find("\"Black\"") != std::string::npos);
+    for (const char *strange : {"\"nowhere\"", "7", "null"}) {
+        const auto file = under(strange, 1);
+        QVERIFY(file.ok() && !file->background.has_value());
+    }
 }
 
 void TiltReaderTest::doesWithoutMetadata()
