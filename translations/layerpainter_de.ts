@@ -302,6 +302,10 @@
 <context>
     <name>ductus::LayerPanel</name>
     <message>
+        <source>Find layers</source>
+        <translation>Ebenen suchen</translation>
+    </message>
+    <message>
         <source>Normal</source>
         <translation>Normal</translation>
     </message>

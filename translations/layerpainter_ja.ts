@@ -300,6 +300,10 @@
 <context>
     <name>ductus::LayerPanel</name>
     <message>
+        <source>Find layers</source>
+        <translation>レイヤーを検索</translation>
+    </message>
+    <message>
         <source>Normal</source>
         <translation>通常</translation>
     </message>

@@ -57,6 +57,7 @@ public:
             else if (layer.picture)
                 addPicture(l);
         }
+        tellApart();
         if (const Result<void> check = checkPainting(painting); !check) {
             Error error = check.error();
             error.attempted = "Importing the painting";
@@ -76,6 +77,22 @@ private:
     Id takeId()
     {
         return Id{mImported.painting.nextId++};
+    }
+
+    /// Stacks are a flat list: of those with the same name each is told by the group it was in.
+    void tellApart()
+    {
+        std::map<std::string, int> uses;
+        for (const Stack &stack : mImported.painting.stacks)
+            ++uses[stack.name];
+        for (std::size_t i = 0; i < mStackLayers.size(); ++i) {
+            Stack &stack = mImported.painting.stacks[i];
+            const int group = mFile.layers[std::size_t(mStackLayers[i])].parent;
+            if (uses[stack.name] < 2 || group <= 0) // the root says nothing
+                continue;
+            stack.name = mFile.layers[std::size_t(group)].name + " / " + stack.name;
+            stack.substrate->name = stack.name;
+        }
     }
 
     /// Times that of all groups around it.
@@ -125,6 +142,7 @@ private:
             note(index,
                  std::to_string(fading) + " strokes fade when seen from aside in Quill, here they do not");
         mImported.painting.stacks.push_back(std::move(stack));
+        mStackLayers.push_back(index);
     }
 
     void addPicture(int index)
@@ -137,6 +155,7 @@ private:
 
     const PaintingFile &mFile;
     ImportedPainting mImported;
+    std::vector<int> mStackLayers; // of the file, one a stack
     std::map<const PaintingFileStroke *, ShapePointer> mShapes;
 };
 

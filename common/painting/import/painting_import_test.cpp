@@ -31,6 +31,7 @@ private slots:
     void everyPaintLayerBecomesAStack();
     void strokesStandWhereTheyStood();
     void inheritsFromGroups();
+    void layersOfOneNameAreToldByTheirGroups();
     void saysWhatItCannotExpress();
     void refusesFlatTransforms();
     void importsRealSketches();
@@ -78,6 +79,18 @@ void PaintingImportTest::inheritsFromGroups()
     QCOMPARE(properties.opacity, 0.25);
     QVERIFY(!properties.visible);
     QVERIFY(imported->painting.stacks[0].substrate->properties.visible);
+}
+
+void PaintingImportTest::layersOfOneNameAreToldByTheirGroups()
+{
+    auto file = sampleFile();
+    file->layers[2].name = "Tree";
+    file->layers[3].name = file->layers[1].name; // in that group; the other one stands below the root
+    const auto imported = importPainting(*file);
+    QVERIFY(imported.ok());
+    QCOMPARE(imported->painting.stacks[0].name, std::string("Still"));
+    QCOMPARE(imported->painting.stacks[1].name, std::string("Tree / Still"));
+    QCOMPARE(imported->painting.stacks[1].substrate->name, std::string("Tree / Still"));
 }
 
 void PaintingImportTest::saysWhatItCannotExpress()

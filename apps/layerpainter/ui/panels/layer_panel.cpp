@@ -10,10 +10,15 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 namespace ductus {
+
+namespace {
+constexpr std::size_t fewLayers = 20; // are found by looking
+}
 
 LayerPanel::LayerPanel(PaintingDocument &document, QWidget *parent)
     : QWidget(parent), mDocument(document), mTree(new LayerTree(document))
@@ -21,6 +26,13 @@ LayerPanel::LayerPanel(PaintingDocument &document, QWidget *parent)
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(8);
+    mFind = new QLineEdit;
+    mFind->setPlaceholderText(tr("Find layers"));
+    mFind->setAccessibleName(tr("Find layers"));
+    mFind->setClearButtonEnabled(true);
+    mFind->addAction(icon(QStringLiteral("edit-find")), QLineEdit::LeadingPosition);
+    connect(mFind, &QLineEdit::textChanged, mTree, &LayerTree::setFilter);
+    layout->addWidget(mFind);
     layout->addWidget(mTree);
     auto *buttons = new QHBoxLayout;
     buttons->setSpacing(4);
@@ -113,6 +125,7 @@ void LayerPanel::refresh()
     const bool isAppearance = layer && !isSubstrate(mDocument.painting(), id);
     mOpacity->setEnabled(layer);
     mAppearance->setVisible(isAppearance);
+    mFind->setVisible(mDocument.painting().layers().size() > fewLayers || !mFind->text().isEmpty());
     if (!layer)
         return;
     mOpacity->setValue(100 * layer->properties.opacity);
@@ -130,6 +143,7 @@ void LayerPanel::refresh()
 
 void LayerPanel::addStack()
 {
+    mFind->clear(); // what is new is not to be hidden at once
     const auto made = mDocument.perform(
         act::AddStack{tr("Stack %1").arg(mDocument.painting().stacks.size() + 1).toStdString()});
     if (made)
@@ -142,6 +156,7 @@ void LayerPanel::addLayer()
     const Stack *found = mDocument.painting().findStack(stack);
     if (!found)
         return;
+    mFind->clear();
     const auto made = mDocument.perform(
         act::AddLayer{stack, tr("Layer %1").arg(found->appearance.size() + 1).toStdString()});
     if (made)
@@ -150,6 +165,7 @@ void LayerPanel::addLayer()
 
 void LayerPanel::duplicateLayer()
 {
+    mFind->clear();
     if (const Layer *layer = mDocument.painting().findLayer(mTree->currentLayer()))
         (void)mDocument.perform(act::DuplicateLayer{
             layer->id, tr("%1 copy").arg(QString::fromStdString(layer->name)).toStdString()});

@@ -5,6 +5,7 @@
 
 class QComboBox;
 class QLabel;
+class QLineEdit;
 class QToolButton;
 class QVBoxLayout;
 
@@ -32,6 +33,7 @@ private:
 
     PaintingDocument &mDocument;
     LayerTree *mTree;
+    QLineEdit *mFind; // where there are many
     NumberSlider *mOpacity;
     QComboBox *mBlend;
     NumberSlider *mTolerance;

@@ -5,8 +5,10 @@
 #include <QDropEvent>
 #include <QHeaderView>
 #include <QMouseEvent>
+#include <QScrollBar>
 #include <QTimer>
 #include <algorithm>
+#include <set>
 
 namespace ductus {
 
@@ -74,7 +76,10 @@ void LayerTree::fillRow(QTreeWidgetItem *item, const Layer &layer)
     item->setToolTip(EyeColumn, visible ? tr("Hide") : tr("Show"));
     item->setIcon(LockColumn, layer.locked ? icon(QStringLiteral("lock")) : QIcon());
     item->setToolTip(LockColumn, layer.locked ? tr("Unlock") : tr("Lock: nothing changes it"));
-    item->setToolTip(NameColumn, tr("%n strokes", nullptr, layer.elementCount()));
+    // The whole name, too: many are longer than the column.
+    item->setToolTip(NameColumn, QStringLiteral("<b>%1</b><br>%2")
+                                     .arg(item->text(NameColumn).toHtmlEscaped(),
+                                          tr("%n strokes", nullptr, layer.elementCount()).toHtmlEscaped()));
     QFont font = item->font(NameColumn);
     font.setItalic(!visible);
     item->setFont(NameColumn, font);
@@ -84,6 +89,12 @@ void LayerTree::refresh()
 {
     mIsFilling = true;
     const LayerId chosen = currentLayer();
+    // A click on an eye must not move the list under the hand, nor open what was folded.
+    const int scrolled = verticalScrollBar()->value();
+    std::set<StackId> folded;
+    for (int i = 0; i < topLevelItemCount(); ++i)
+        if (topLevelItem(i)->childCount() > 0 && !topLevelItem(i)->isExpanded())
+            folded.insert(stackOf(topLevelItem(i)));
     clear();
     const Painting &painting = mDocument.painting();
     const auto addStack = [&](const Stack &stack) {
@@ -110,7 +121,7 @@ void LayerTree::refresh()
             fillRow(child, *layer);
             child->setFlags((child->flags() | Qt::ItemIsEditable) & ~Qt::ItemIsDropEnabled);
         }
-        row->setExpanded(true);
+        row->setExpanded(!folded.contains(stack.id));
     };
     addStack(painting.sceneStack);
     for (auto stack = painting.stacks.rbegin(); stack != painting.stacks.rend(); ++stack)
@@ -119,9 +130,40 @@ void LayerTree::refresh()
     if (!row)
         row = topLevelItem(std::min(1, topLevelItemCount() - 1));
     setCurrentItem(row);
+    applyFilter();
+    if (currentLayer() == chosen) {
+        executeDelayedItemsLayout();
+        verticalScrollBar()->setValue(scrolled);
+    }
     mIsFilling = false;
     if (currentLayer() != chosen)
         emit layerChosen(currentLayer());
+}
+
+void LayerTree::setFilter(const QString &part)
+{
+    mFilter = part.trimmed();
+    applyFilter();
+    if (currentItem() && !currentItem()->isHidden())
+        scrollToItem(currentItem());
+}
+
+void LayerTree::applyFilter()
+{
+    const auto matches = [this](const QTreeWidgetItem *item) {
+        return item->text(NameColumn).contains(mFilter, Qt::CaseInsensitive);
+    };
+    for (int i = 0; i < topLevelItemCount(); ++i) {
+        QTreeWidgetItem *stack = topLevelItem(i);
+        const bool isWanted = mFilter.isEmpty() || matches(stack);
+        bool anyLayer = false;
+        for (int j = 0; j < stack->childCount(); ++j) {
+            const bool isShown = isWanted || matches(stack->child(j));
+            stack->child(j)->setHidden(!isShown);
+            anyLayer |= isShown;
+        }
+        stack->setHidden(!isWanted && !anyLayer);
+    }
 }
 
 QTreeWidgetItem *LayerTree::rowOf(LayerId layer) const

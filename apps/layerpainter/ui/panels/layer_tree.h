@@ -20,6 +20,8 @@ public:
     StackId currentStack() const;
     void choose(LayerId layer);
     void renameCurrent();
+    /// Shows only rows whose name has \a part in it, with the stack around them; empty: all.
+    void setFilter(const QString &part);
 
 signals:
     void layerChosen(ductus::LayerId layer);
@@ -32,12 +34,14 @@ protected:
 
 private:
     void refresh();
+    void applyFilter();
     void fillRow(QTreeWidgetItem *item, const Layer &layer);
     QTreeWidgetItem *rowOf(LayerId layer) const;
     void onClicked(QTreeWidgetItem *item, int column);
     void onEdited(QTreeWidgetItem *item);
 
     PaintingDocument &mDocument;
+    QString mFilter;
     bool mIsFilling = false;
 };
 

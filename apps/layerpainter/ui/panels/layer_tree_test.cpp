@@ -3,6 +3,7 @@
 
 #include <QDropEvent>
 #include <QMimeData>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QtTest>
 
@@ -30,6 +31,8 @@ private slots:
     void aStackGoesBehindAnother();
     void theSceneStaysWhereItIs();
     void hoveringTellsTheLayer();
+    void findsRowsByAPartOfTheirNames();
+    void hidingALayerLeavesTheListWhereItIs();
 
 private:
     QTreeWidgetItem *row(const QString &name) const
@@ -138,6 +141,46 @@ void LayerTreeTest::hoveringTellsTheLayer()
     QEvent leave(QEvent::Leave);
     QApplication::sendEvent(mTree.get(), &leave);
     QVERIFY(!hovered.takeLast().front().value<LayerId>().isValid());
+}
+
+void LayerTreeTest::findsRowsByAPartOfTheirNames()
+{
+    mTree->setFilter("SHADE");
+    QVERIFY(!row("Tree")->isHidden() && !row("Ground")->isHidden()); // around what is found
+    QVERIFY(!row("Tree shade")->isHidden());
+    QVERIFY(row("Tree light")->isHidden());
+    QVERIFY(mTree->topLevelItem(0)->isHidden()); // the scene
+    mTree->setFilter("ground");
+    QVERIFY(row("Tree")->isHidden());
+    QVERIFY(!row("Ground light")->isHidden());
+    // Rows are made anew with every edit.
+    const Stack &tree = mDocument->painting().stacks[0];
+    QVERIFY(mDocument->perform(act::LockLayer{tree.substrate->id, true}).ok());
+    QVERIFY(row("Tree")->isHidden());
+    mTree->setFilter({});
+    QVERIFY(!row("Tree")->isHidden() && !mTree->topLevelItem(0)->isHidden());
+}
+
+void LayerTreeTest::hidingALayerLeavesTheListWhereItIs()
+{
+    for (int i = 0; i < 100; ++i)
+        QVERIFY(mDocument->perform(act::AddStack{"Stack " + std::to_string(i)}).ok());
+    mTree->show();
+    QVERIFY(QTest::qWaitForWindowExposed(mTree.get()));
+    mTree->setCurrentItem(row("Stack 40"));
+    row("Ground")->setExpanded(false);
+    QScrollBar *bar = mTree->verticalScrollBar();
+    bar->setValue(bar->maximum() / 3);
+    const int scrolled = bar->value();
+    QVERIFY(scrolled > 0);
+    act::SetProperties edit;
+    edit.layer = mDocument->painting().stacks[60].substrate->id;
+    edit.visible = false;
+    QVERIFY(mDocument->perform(edit).ok());
+    QCoreApplication::processEvents();
+    QCOMPARE(bar->value(), scrolled);
+    QVERIFY(!row("Ground")->isExpanded());
+    QVERIFY(row("Tree")->isExpanded());
 }
 
 QTEST_MAIN(LayerTreeTest)
