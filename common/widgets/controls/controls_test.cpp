@@ -11,6 +11,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QSignalSpy>
+#include <limits>
 
 using namespace ductus;
 
@@ -49,6 +50,7 @@ class ControlsTest : public QObject
 {
     Q_OBJECT
 private slots:
+    void decimalsFitTheSize();
     void aTypedNumberIsOneEdit();
     void keysStep();
     void aDragIsOneEdit();
@@ -291,6 +293,21 @@ void ControlsTest::cardsWrap()
     QCOMPARE(layout->itemAt(3)->geometry(), QRect(0, 50, 100, 40));
     QCOMPARE(layout->heightForWidth(330), 90);
     QCOMPARE(layout->heightForWidth(10), 5 * 40 + 4 * 10);
+}
+
+void ControlsTest::decimalsFitTheSize()
+{
+    QCOMPARE(decimalsFor(0.262), 3);
+    QCOMPARE(decimalsFor(0.00123), 5);
+    QCOMPARE(decimalsFor(45), 1);
+    QCOMPARE(decimalsFor(1e9), 0);
+    QCOMPARE(decimalsFor(1e-30), 9);
+    QCOMPARE(decimalsFor(0), 3);
+    QCOMPARE(decimalsFor(std::numeric_limits<double>::quiet_NaN()), 3);
+    NumberSlider size("Size", {0.00002, 0.05, 0.0001, 0.00123, decimalsFor(0.00123), {}, true});
+    size.setValue(0.00123);
+    QVERIFY(std::abs(size.value() - 0.00123) < 1e-9);
+    QVERIFY(std::abs(size.findChild<QDoubleSpinBox *>()->value() - 0.00123) < 1e-9);
 }
 
 DUCTUS_WIDGET_TEST_MAIN(ControlsTest)

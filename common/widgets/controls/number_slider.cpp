@@ -38,6 +38,11 @@ double valueAt(double share, const NumberRange &range)
 
 } // namespace
 
+int decimalsFor(double size)
+{
+    return size > 0 && std::isfinite(size) ? std::clamp(int(std::ceil(2 - std::log10(size))), 0, 9) : 3;
+}
+
 NumberSlider::NumberSlider(const QString &label, const NumberRange &range, const QString &teaches,
                            QWidget *parent)
     : QWidget(parent), mRange(range), mLabel(new ScrubLabel(label)), mSlider(new TrackSlider),

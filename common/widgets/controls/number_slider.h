@@ -26,6 +26,9 @@ struct NumberRange
     bool isLogarithmic = false; // equal ways of the slider are equal factors; minimum > 0
 };
 
+/// Decimals that show three digits of a number of about that size: lengths of small scenes and of large ones.
+int decimalsFor(double size);
+
 class NumberSlider : public QWidget
 {
     Q_OBJECT

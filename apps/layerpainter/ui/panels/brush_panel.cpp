@@ -52,7 +52,7 @@ void BrushPanel::setExtent(double diagonal)
     if (!(diagonal > 0))
         diagonal = 4;
     const double usual = 0.012 * diagonal;
-    mSize->setRange({usual / 50, usual * 50, usual / 10, usual, 3, {}, true});
+    mSize->setRange({usual / 50, usual * 50, usual / 10, usual, decimalsFor(usual), {}, true});
     mSize->setValue(usual);
     mBrush.halfWidth = usual;
     emit brushChanged();

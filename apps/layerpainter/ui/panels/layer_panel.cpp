@@ -136,7 +136,7 @@ void LayerPanel::refresh()
         std::max({0.1 * paintingBox(mDocument.painting()).diagonal(), 2 * layer->tolerance, 0.01});
     if (layer->tolerance > mTolerance->range().maximum || mTolerance->range().maximum > 4 * most ||
         mTolerance->range().maximum < 0.25 * most)
-        mTolerance->setRange({0, most, most / 100, 0, 3, {}});
+        mTolerance->setRange({0, most, most / 100, 0, decimalsFor(0.1 * most), {}});
     mTolerance->setValue(layer->tolerance);
     mMasks->setLayer(id);
 }

@@ -16,6 +16,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QSaveFile>
+#include <algorithm>
 
 namespace ductus {
 
@@ -178,11 +179,18 @@ void PainterWindow::adopt(ImportedFile file, const QString &source)
     messages()->closeAll();
     mPainting.start(std::move(file.painting), QString::fromStdString(file.name), source);
     showOpened();
-    if (!file.report.skipped.empty())
-        messages()->warning(
-            tr("Some of it was skipped: %1").arg(QString::fromStdString(file.report.skipped.front())),
-            file.report.skipped.size() > 1 ? tr("And %n more.", nullptr, int(file.report.skipped.size()) - 1)
-                                           : QString());
+    const std::vector<std::string> &skipped = file.report.skipped;
+    if (skipped.empty())
+        return;
+    const QString what = tr("Some of it was skipped: %1").arg(QString::fromStdString(skipped.front()));
+    // Every Quill painting has a place to stand in VR: nothing to warn of.
+    const bool onlyViewpoints = std::ranges::all_of(
+        skipped, [](const std::string &one) { return one.find(": Viewpoint layers ") != std::string::npos; });
+    if (onlyViewpoints)
+        messages()->info(what);
+    else
+        messages()->warning(what, skipped.size() > 1 ? tr("And %n more.", nullptr, int(skipped.size()) - 1)
+                                                     : QString());
 }
 
 void PainterWindow::openProject(const QString &path)
