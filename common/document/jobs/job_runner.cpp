@@ -1,5 +1,6 @@
 #include "document/jobs/job_runner.h"
 
+#include "base/background_work.h"
 #include "document/jobs/remaining_time.h"
 #include "document/words/engine_words.h"
 
@@ -111,6 +112,7 @@ void JobRunner::launch(const std::shared_ptr<Job> &job)
     job->waitsFor = 0;
     job->clock.start();
     job->thread.reset(QThread::create([job = job.get()] {
+        const BackgroundWork background;
         const auto report = [job](double fraction, std::string_view text) { job->note(fraction, text); };
         // Exceptions are bugs, but one in a job must not take the user's unsaved document with it.
         try {
