@@ -9,9 +9,8 @@ namespace ductus {
 
 namespace {
 
-// A third of what a window's threads get where there are not enough cores for all; still enough beside other
-// programs.
-constexpr int giveWay = 5, mostNice = 19;
+// A tenth of what a window's threads get where there are not enough cores for all.
+constexpr int giveWay = 10, mostNice = 19;
 
 // Nice values are a thread's own on Linux. A refusal only costs smoothness.
 void lowerPriority()

@@ -51,7 +51,7 @@ private slots:
         job.join();
         QVERIFY(!nices.empty());
         QVERIFY(*nices.begin() > before);
-        QCOMPARE(*nices.begin(), std::min(19, before + 5));
+        QCOMPARE(*nices.begin(), std::min(19, before + 10));
     }
 
     void theWindowsThreadKeepsItsPriority()

@@ -1,6 +1,5 @@
 #include "sketchsurfacer/document/surfacing_jobs.h"
 
-#include "sketchsurfacer/document/background_work.h"
 #include "sketchsurfacer/document/stored_reading.h"
 
 #include <QPointer>
@@ -57,7 +56,6 @@ void SurfacingJobs::start()
     const QPointer<SurfacingJobs> self(this);
     auto work = [content, known = before, isOfInput, wantsReading, self,
                  runner = &mRunner](const JobControl &whole) -> Result<StatePointer> {
-        workInBackground();
         StatePointer before = known;
         bool sameInput = isOfInput;
         JobControl control = whole;

@@ -83,7 +83,8 @@ Result<std::vector<int>> shortestCut(const TriangleMesh &proxy, const MeshTopolo
     }
     cut.dataCosts = {insideCosts, outsideCosts};
     cut.labelCosts = {0.0, 0.0};
-    const Result<Labeling> labeling = alphaExpansion(cut, {}, std::vector<int>(t.inside.size(), 0), control);
+    const Result<Labeling> labeling =
+        alphaExpansion(cut, {}, std::vector<int>(t.inside.size(), 0), control.silenced());
     if (!labeling)
         return labeling.error();
     return labeling->labels;

@@ -95,7 +95,7 @@ private:
             problem.dataCosts.push_back(*mCosts[a]);
             problem.labelCosts.push_back(labelCost(mFit.models[a].model, mOptions));
         }
-        return alphaExpansion(problem, {}, mFit.labels, control);
+        return alphaExpansion(problem, {}, mFit.labels, control.silenced()); // an iteration is one step
     }
 
     // By label: did any vertex join or leave since \a previous?

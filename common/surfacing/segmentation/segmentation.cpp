@@ -42,8 +42,9 @@ Result<Run> oneRun(const LabelGraph &graph, std::vector<ImplicitPolynomial> mode
 Result<std::vector<Run>> allRuns(const LabelGraph &graph, const SegmentationOptions &options,
                                  const JobControl &control)
 {
+    control.progress(0.0, "Finding surface patches");
     const Result<Eigen::MatrixXd> embedding =
-        proxyEmbedding(graph.association, graph.topology, options, control.part(0.0, 0.2));
+        proxyEmbedding(graph.association, graph.topology, options, control.silenced());
     if (!embedding)
         return embedding.error();
     std::vector<std::optional<Result<Run>>> runs(std::size_t(std::max(options.runs, 1)));

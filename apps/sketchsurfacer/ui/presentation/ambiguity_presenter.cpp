@@ -1,7 +1,5 @@
 #include "sketchsurfacer/ui/presentation/ambiguity_presenter.h"
 
-#include "sketchsurfacer/document/background_work.h"
-
 namespace ductus {
 
 namespace {
@@ -67,7 +65,6 @@ void AmbiguityPresenter::onResult()
     if (!mView.isDark())
         pictures.background = {250, 251, 252, 255};
     auto work = [result, pictures, up = mDocument.strokes().upAxis](const JobControl &control) {
-        workInBackground();
         return makeAmbiguityView(result, up, pictures, control);
     };
     auto finish = [this, result](Result<AmbiguityPointer> view) {

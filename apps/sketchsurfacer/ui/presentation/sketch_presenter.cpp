@@ -1,7 +1,5 @@
 #include "sketchsurfacer/ui/presentation/sketch_presenter.h"
 
-#include "sketchsurfacer/document/background_work.h"
-
 #include <algorithm>
 #include <unordered_set>
 
@@ -182,11 +180,8 @@ void SketchPresenter::showResult()
             adopt(kept);
             return;
         }
-    auto work = [state, strokes = mDocument.content().strokes,
-                 palette = mPalette](const JobControl &control) {
-        workInBackground();
-        return makeResultView(state, *strokes, *palette, control);
-    };
+    auto work = [state, strokes = mDocument.content().strokes, palette = mPalette](
+                    const JobControl &control) { return makeResultView(state, *strokes, *palette, control); };
     auto finish = [this, state](Result<ViewPointerToResult> view) {
         if (!view)
             return; // cancelled: a newer one is being made

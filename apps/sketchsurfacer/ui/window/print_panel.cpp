@@ -1,6 +1,5 @@
 #include "sketchsurfacer/ui/window/print_panel.h"
 
-#include "sketchsurfacer/document/background_work.h"
 #include "widgets/theme/icons.h"
 
 #include <QDoubleSpinBox>
@@ -113,7 +112,6 @@ void PrintPanel::startCheck()
     if (!mSurface || mCheck || !isVisible())
         return;
     auto work = [surface = mSurface](const JobControl &control) -> Result<CheckPointer> {
-        workInBackground();
         Result<PrintCheck> check = checkForPrint(surface->mesh, control);
         if (!check)
             return check.error();

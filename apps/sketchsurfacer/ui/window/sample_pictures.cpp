@@ -3,7 +3,6 @@
 #include "document/document_files.h"
 #include "formats/png_file.h"
 #include "imaging/surface_picture.h"
-#include "sketchsurfacer/document/background_work.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -67,7 +66,6 @@ void drawSamplePictures(JobRunner &runner, const std::vector<SampleSketch> &samp
     if (missing.empty())
         return;
     auto work = [missing, dark](const JobControl &control) -> Result<bool> {
-        workInBackground();
         for (const SampleSketch &sample : missing) {
             if (control.isCancelled())
                 return cancelledError("Drawing the samples");
