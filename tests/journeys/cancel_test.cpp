@@ -20,7 +20,7 @@ void CancelTest::ctrlCEndsItSoonAndLeavesNothing_data()
     QTest::addColumn<QByteArray>("progress");
     // One of each stage, as the progress names them.
     for (const char *text : {"Reading the sketch", "Fitting a smooth surface", "Evening out the triangles",
-                             "Finding the lowest eigenvectors", "Choosing a label", "Fitting the final mesh"})
+                             "Finding surface patches", "Fitting the final mesh"})
         QTest::newRow(text) << QByteArray(text);
 }
 
