@@ -1,5 +1,7 @@
 #include "doodling/tracking/pixel_path.h"
 
+#include "support/clip_thing.h"
+
 #include <QtTest>
 
 using namespace ductus;
@@ -22,35 +24,16 @@ Shot ballShot(float confidenceOfMiss = 1.0f)
     const auto isBall = [](int t, double x, double y) {
         return (Vec2(x, y) - Vec2(60.0 + speed * t, 80.0)).norm() < 26.0;
     };
-    Shot shot;
-    shot.width = shot.clipWidth = width;
-    shot.height = shot.clipHeight = height;
-    shot.cameras.assign(frames, ShotCamera{});
-    for (int t = 0; t < frames; ++t) {
-        Image image(width, height);
-        for (int y = 0; y < height; ++y)
-            for (int x = 0; x < width; ++x)
-                image.set(x, y,
-                          isBall(t, x, y)
-                              ? Rgba{220, std::uint8_t(120 + 2 * int(x - speed * t - 60) + (y - 80)), 20, 255}
-                              : groundAt(x, y));
-        shot.pictures.push_back(smallPictureOf(image));
-        if (t + 1 == frames)
-            break;
-        FlowField ahead{width / 4, height / 4, 4.0, {}, {}}, back = ahead;
-        for (int i = 0; i < ahead.width * ahead.height; ++i) {
-            const double x = 4.0 * (i % ahead.width) + 2.0, y = 4.0 * (i / ahead.width) + 2.0;
-            const bool isMissed = t >= 7 && t < 17;
-            const float told = isMissed ? 0.0f : float(speed);
-            ahead.confidences.push_back(isMissed && isBall(t, x, y) ? confidenceOfMiss : 1.0f);
-            back.confidences.push_back(isMissed && isBall(t + 1, x, y) ? confidenceOfMiss : 1.0f);
-            ahead.motions.emplace_back(isBall(t, x, y) ? told : 0.0f, 0.0f);
-            back.motions.emplace_back(isBall(t + 1, x, y) ? -told : 0.0f, 0.0f);
-        }
-        shot.forward.push_back(ahead);
-        shot.backward.push_back(back);
-    }
-    return shot;
+    const auto isMissed = [](int t) { return t >= 7 && t < 17; };
+    return madeShot({width, height, frames, isBall,
+                     [=](int t, int x, int y) {
+                         return isBall(t, x, y)
+                                    ? Rgba{220, std::uint8_t(120 + 2 * int(x - speed * t - 60) + (y - 80)),
+                                           20, 255}
+                                    : groundAt(x, y);
+                     },
+                     [=](int t) { return isMissed(t) ? 0.0f : float(speed); },
+                     [=](int t) { return isMissed(t) ? confidenceOfMiss : 1.0f; }});
 }
 
 Vec2 truth(int t)

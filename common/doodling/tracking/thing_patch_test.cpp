@@ -1,5 +1,7 @@
 #include "doodling/tracking/thing_patch.h"
 
+#include "support/clip_thing.h"
+
 #include <QtTest>
 
 using namespace ductus;
@@ -16,33 +18,12 @@ bool isSquare(int t, double x, double y)
 
 Shot squareShot(bool standsStill)
 {
-    Shot shot;
-    shot.width = shot.clipWidth = width;
-    shot.height = shot.clipHeight = height;
-    shot.cameras.assign(frames, ShotCamera{});
-    for (int t = 0; t < frames; ++t) {
-        Image image(width, height);
-        for (int y = 0; y < height; ++y)
-            for (int x = 0; x < width; ++x) {
-                const auto grey = std::uint8_t(x % 24 < 12 ? 40 : 200);
-                image.set(x, y, isSquare(t, x, y) ? Rgba{220, 120, 20, 255} : Rgba{grey, grey, grey, 255});
-            }
-        shot.pictures.push_back(smallPictureOf(image));
-        if (t + 1 == frames)
-            break;
-        FlowField ahead{width / 4, height / 4, 4.0, {}, {}}, back = ahead;
-        for (int i = 0; i < ahead.width * ahead.height; ++i) {
-            const double x = 4.0 * (i % ahead.width) + 2.0, y = 4.0 * (i / ahead.width) + 2.0;
-            const float told = standsStill ? 0.0f : float(speed);
-            ahead.motions.emplace_back(isSquare(t, x, y) ? told : 0.0f, 0.0f);
-            back.motions.emplace_back(isSquare(t + 1, x, y) ? -told : 0.0f, 0.0f);
-        }
-        ahead.confidences.assign(ahead.motions.size(), 1.0f);
-        back.confidences = ahead.confidences;
-        shot.forward.push_back(ahead);
-        shot.backward.push_back(back);
-    }
-    return shot;
+    return madeShot({width, height, frames, isSquare,
+                     [](int t, int x, int y) {
+                         const auto grey = std::uint8_t(x % 24 < 12 ? 40 : 200);
+                         return isSquare(t, x, y) ? Rgba{220, 120, 20, 255} : Rgba{grey, grey, grey, 255};
+                     },
+                     [=](int) { return standsStill ? 0.0f : float(speed); }});
 }
 
 // Near the left edge: the places to the left of it show the stripes.
