@@ -84,8 +84,10 @@ ProxyGround groundOn(Wrap wrap, const StrokeSet &strokes, const std::vector<Vec3
                      const ProxyOptions &options)
 {
     ProxyGround ground{std::move(wrap), isOpen, {}, drawn};
-    if (!isOpen)
+    if (!isOpen) {
         ground.flatEnds = flatEndsOf(strokes, ground.wrap, options.flatEnds);
+        ground.tunnels = tunnelsThrough(ground.wrap.mesh);
+    }
     for (const FlatEnd &end : ground.flatEnds)
         ground.points.insert(ground.points.end(), end.inside.begin(), end.inside.end());
     return ground;
@@ -103,9 +105,7 @@ Result<ProxyRung> makeRung(ProxyKind kind, const ProxyGround &ground, double lam
             proxyFault(rung.mesh, ground.wrap.mesh, ground.points, options.quality))
         return Error{ErrorCode::NoSolution, "Making a proxy", *fault,
                      "Draw more strokes, or give a proxy mesh", ""};
-    // The wrap of a sheet is a thin double layer: its tunnels are the sheet's holes.
-    const int expected = ground.isOpen ? 0 : tunnelsThrough(ground.wrap.mesh);
-    rung.tunnels = std::max(0, tunnelsThrough(rung.mesh) - expected);
+    rung.tunnels = std::max(0, tunnelsThrough(rung.mesh) - ground.tunnels);
     rung.disorder = options.disorder.tunnel * rung.tunnels;
     if (!ground.isOpen)
         rung.disorder += contour->surface.cappedShare;

@@ -13,6 +13,7 @@ struct ProxyGround
     bool isOpen = false;
     std::vector<FlatEnd> flatEnds; // of a solid
     std::vector<Vec3> points;      // of strokes and flat ends
+    int tunnels = 0; // of a solid's wrap; that of a sheet is a thin double layer: its tunnels are holes
 };
 
 ProxyGround groundOn(Wrap wrap, const StrokeSet &strokes, const std::vector<Vec3> &drawn, bool isOpen,
