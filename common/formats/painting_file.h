@@ -121,7 +121,9 @@ struct PaintingImportReport
     std::int64_t points = 0;
     int pictures = 0;
     std::vector<std::string> skipped; // "Root/Music: sound layers are not imported"
-    std::vector<std::string> notes;   // what was put right while reading
+    int unseenSkips =
+        0; // of those, what no picture shows: places to stand in VR, which every Quill scene has
+    std::vector<std::string> notes; // what was put right while reading
 };
 
 struct PaintingFile

@@ -106,6 +106,7 @@ private:
                 return error;
         } else if (layer.kind == PaintingFileLayerKind::Other) {
             report.skipped.push_back(path + ": " + source.type + " layers are not imported");
+            report.unseenSkips += source.type == "Viewpoint";
         }
         return std::nullopt;
     }

@@ -51,6 +51,7 @@ private slots:
     void composesTransforms();
     void readsPictures();
     void reportsWhatItSkips();
+    void countsPlacesToStandApart();
     void saysThatTheDataIsMissing();
     void sharesDrawingsOfOnePlace();
     void clampsWithANote();
@@ -186,6 +187,20 @@ void QuillReaderTest::reportsWhatItSkips()
     QCOMPARE(all(file->report.skipped), QString("Root/Moved/Frames: 1 drawing that no frame shows\n"
                                                 "Root/Music: Sound layers are not imported\n"));
     QVERIFY(file->report.notes.empty());
+    QCOMPARE(file->report.unseenSkips, 0);
+}
+
+// It is skipped like the others, but no picture misses it.
+void QuillReaderTest::countsPlacesToStandApart()
+{
+    const QuillSample sample{quillSceneText(quillLayerText("Here", "Viewpoint", "\"Type\":0") + ",\n" +
+                                            quillLayerText("Music", "Sound", "\"Gain\":1")),
+                             QuillData().bytes};
+    const auto file = readSample(sample);
+    QVERIFY(file.ok());
+    QCOMPARE(all(file->report.skipped), QString("Root/Here: Viewpoint layers are not imported\n"
+                                                "Root/Music: Sound layers are not imported\n"));
+    QCOMPARE(file->report.unseenSkips, 1);
 }
 
 void QuillReaderTest::saysThatTheDataIsMissing()

@@ -16,7 +16,6 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QSaveFile>
-#include <algorithm>
 
 namespace ductus {
 
@@ -183,10 +182,7 @@ void PainterWindow::adopt(ImportedFile file, const QString &source)
     if (skipped.empty())
         return;
     const QString what = tr("Some of it was skipped: %1").arg(QString::fromStdString(skipped.front()));
-    // Every Quill painting has a place to stand in VR: nothing to warn of.
-    const bool onlyViewpoints = std::ranges::all_of(
-        skipped, [](const std::string &one) { return one.find(": Viewpoint layers ") != std::string::npos; });
-    if (onlyViewpoints)
+    if (int(skipped.size()) == file.report.unseenSkips) // nothing to warn of
         messages()->info(what);
     else
         messages()->warning(what, skipped.size() > 1 ? tr("And %n more.", nullptr, int(skipped.size()) - 1)
