@@ -6,8 +6,9 @@ namespace ductus {
 
 namespace {
 
-/// Elements that are drawn alike, so that changes between them stay rare: each costs a draw.
 constexpr std::uint32_t roundOnly = 1u << unsigned(StrokeSection::Round);
+
+/// Elements that are drawn alike, so that changes between them stay rare: each costs a draw.
 constexpr std::size_t chunk = RibbonChunks::strokesPerChunk;
 
 /// Whether all strokes of a chunk are so far away that those with fewer points serve.
@@ -56,12 +57,13 @@ LayerInView layerInView(const DrawnLayer &layer, const ScreenFinder &screen, con
         view.segments += range.count;
         DrawCommand *last = run.commandCount > 0 ? &view.commands.back() : nullptr;
         const bool asCards = layer.sections == roundOnly && screen.isFar(element.centre, radius);
-        const std::uint32_t firstIndex = asCards ? 36 : 0;
+        const std::uint32_t firstIndex = asCards ? boxIndexCount : 0;
         if (last && !wanted.isBackwards && last->firstInstance + last->instances == range.first &&
             last->firstIndex == firstIndex) {
             last->instances += range.count;
         } else {
-            view.commands.push_back({asCards ? 6u : 36u, range.count, firstIndex, 0, range.first});
+            view.commands.push_back(
+                {asCards ? cardIndexCount : boxIndexCount, range.count, firstIndex, 0, range.first});
             ++run.commandCount;
         }
     }

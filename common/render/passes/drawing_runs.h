@@ -11,9 +11,9 @@ namespace ductus {
 /// As glMultiDrawElementsIndirect reads it.
 struct DrawCommand
 {
-    std::uint32_t indices = 36; // of a box, PaintingUpload's
+    std::uint32_t indices = boxIndexCount;
     std::uint32_t instances = 0;
-    std::uint32_t firstIndex = 0; // 36: of a card, with 6 indices
+    std::uint32_t firstIndex = 0; // boxIndexCount for cards
     std::int32_t baseVertex = 0;
     std::uint32_t firstInstance = 0;
 };

@@ -166,7 +166,7 @@ private:
         glBindVertexArray(mFrame.painting.triangleArray());
         glEnable(GL_CULL_FACE);
         glCullFace(GL_FRONT);
-        glDrawElementsInstancedBaseInstance(GL_TRIANGLES, 36, GL_UNSIGNED_SHORT, nullptr,
+        glDrawElementsInstancedBaseInstance(GL_TRIANGLES, boxIndexCount, GL_UNSIGNED_SHORT, nullptr,
                                             GLsizei(mesh.range.count), mesh.range.first);
         ++mFrame.statistics.draws;
         return {};

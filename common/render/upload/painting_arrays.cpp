@@ -36,7 +36,7 @@ GlVertexArray &beginArray(GlVertexArray &array, GLuint buffer)
 void PaintingUpload::addBoxIndices()
 {
     // Corner x + 2 y + 4 z; counter-clockwise from outside.
-    static constexpr std::array<std::uint16_t, 42> indices{
+    static constexpr std::array<std::uint16_t, boxIndexCount + cardIndexCount> indices{
         0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3, 0, 2, 3, 0, 3, 1, 4, 5, 7, 4,
         7, 6,
         // A card, seen from behind as the boxes' inner sides are.

@@ -13,6 +13,9 @@
 
 namespace ductus {
 
+/// Of the triangles of a box around a segment, and of a card that hides it.
+constexpr std::uint32_t boxIndexCount = 36, cardIndexCount = 6;
+
 /// A stroke or mesh, ready to be drawn.
 struct DrawnElement
 {
@@ -76,8 +79,8 @@ public:
     BlendSpace blendSpace() const { return mBlendSpace; }
     const Eigen::Vector3f &background() const { return mBackground; } // linear RGB
 
-    /// Vertex arrays with the current buffers, bound; with the 36 indices (16 bits) of a box's triangles, an
-    /// instance each, and behind them the 6 of a card's (segment_vertex.glsl).
+    /// Vertex arrays with the current buffers, bound; with the indices (16 bits) of a box's triangles, an
+    /// instance each, and behind them those of a card's (segment_vertex.glsl).
     /// \a coarse: of DrawnElement::coarse, which have no reach.
     GLuint segmentArray(bool coarse, bool withReach);
     GLuint meshArray();

@@ -272,14 +272,13 @@ void PaintingView::paintGL()
         return;
     QElapsedTimer clock;
     clock.start();
-    const QSize pixels = stillScene().size;
-    const int w = pixels.width(), h = pixels.height();
+    const StillScene scene = stillScene();
+    const int w = scene.size.width(), h = scene.size.height();
     if (mStandIn) {
         mStandIn(defaultFramebufferObject(), {w, h});
         ++mFrameCount;
         return;
     }
-    const StillScene scene = stillScene();
     const std::shared_ptr<const Painting> &painting = scene.painting;
     if (!mSmooth)
         mSmooth = std::make_unique<SmoothStill>();
@@ -305,7 +304,7 @@ void PaintingView::paintGL()
     mLastFrameMilliseconds = double(clock.nsecsElapsed()) * 1e-6;
     mPace.drawn(mLastFrameMilliseconds);
     ++mFrameCount;
-    if (drawn && !mPace.isMoving() && mLastFrameMilliseconds < SmoothStill::mostMilliseconds) {
+    if (drawn && !mPace.isMoving() && mLastFrameMilliseconds < mMostSmoothenedMilliseconds) {
         mSmooth->begin(scene, defaultFramebufferObject());
         mSmoothen.start();
     }
@@ -325,9 +324,8 @@ std::optional<PickedPoint> PaintingView::pick(const QPointF &position)
     makeCurrent();
     const double ratio = devicePixelRatioF();
     int x = int(position.x() * ratio), y = int(position.y() * ratio);
-    if (mDrawnDivisor > 1 ||
-        (mSmooth &&
-         mSmooth->hasShifted())) { // the one pixel that is asked for, as the sharp frame would have it
+    if (mDrawnDivisor > 1 || (mSmooth && mSmooth->hasShifted())) {
+        // The one pixel that is asked for, as the sharp frame would have it.
         const double w = width() * ratio, h = height() * ratio;
         const FrameCamera whole = mCamera.frame();
         FrameCamera part = whole;

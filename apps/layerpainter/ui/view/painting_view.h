@@ -71,6 +71,8 @@ public:
     int lastFrameDivisor() const { return mDrawnDivisor; }
     /// Whether the canvas rests and its edges are smooth.
     bool isSmooth() const { return mSmooth && mSmooth->isOf(stillScene()) && mSmooth->isDone(); }
+    /// Frames that take longer stay as they are: the window answers nobody while one is drawn.
+    void setMostSmoothenedMilliseconds(double most) { mMostSmoothenedMilliseconds = most; }
     /// The pen's pressure goes through this first.
     void setPressureCurve(std::function<double(double)> curve) { mPressure = std::move(curve); }
 
@@ -131,6 +133,7 @@ private:
     std::unique_ptr<QOpenGLFramebufferObject> mPixel;  // pick() while something moves
     std::unique_ptr<SmoothStill> mSmooth;
     QTimer mSmoothen; // while there is something left to smoothen
+    double mMostSmoothenedMilliseconds = 300;
 };
 
 } // namespace ductus

@@ -30,8 +30,6 @@ class SmoothStill
 {
 public:
     static constexpr int samples = 9;
-    /// Frames that take longer stay as they are: the window answers nobody while one is drawn.
-    static constexpr double mostMilliseconds = 300;
 
     SmoothStill() = default;
     ~SmoothStill();
